@@ -1,0 +1,73 @@
+// The vocabulary of answers.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace tribunal {
+
+/// Where the probe meets the triangle. `coplanar`: they lie in one plane and meet there. A degenerate
+/// triangle that is met, and a point that lies in the triangle's plane, are always coplanar contacts.
+enum class Contact : std::uint8_t { none, interior, edge, vertex, coplanar };
+
+/// Which part of the probe is in contact, where exactly one point is. `unsaid` otherwise.
+enum class At : std::uint8_t { unsaid, source, target, between };
+
+/// `nonfinite`: an operand has a NaN or an infinity. `unsupported`: outside the method's contract.
+enum class Status : std::uint8_t { ok, nonfinite, unsupported };
+
+/// Which stage of a staged kernel decided. `none` for kernels without stages.
+enum class Stage : std::uint8_t { none, filter, expansion, exact };
+
+/// One of the 163 classes of a segment and a triangle, 1..163; 0 where none was computed.
+using ClassId = std::uint8_t;
+
+struct Answer {
+  bool hit = false;
+  Contact contact = Contact::none;
+  At at = At::unsaid;
+  Status status = Status::ok;
+  Stage stage = Stage::none;
+  ClassId class_id = 0;
+
+  friend bool operator==(const Answer&, const Answer&) = default;
+};
+
+constexpr Answer miss() { return {}; }
+
+constexpr Answer hit_at(Contact contact, At at = At::unsaid) { return {.hit = true, .contact = contact, .at = at}; }
+
+constexpr Answer refusal(Status why) { return {.status = why}; }
+
+/// What a method promises of coplanar contacts. `closed`: hit iff the point sets meet. `transversal`: a probe
+/// in the triangle's plane is a miss, as in the paper's figure 1; boundary contacts are hits under both.
+enum class Convention : std::uint8_t { closed, transversal };
+
+/// Whether an answer with this exact contact is a hit under the convention.
+constexpr bool counts_as_hit(Contact exact, Convention convention) {
+  return exact != Contact::none && (exact != Contact::coplanar || convention == Convention::closed);
+}
+
+constexpr std::string_view name_of(Contact c) {
+  constexpr std::string_view names[] = {"none", "interior", "edge", "vertex", "coplanar"};
+  return names[static_cast<int>(c)];
+}
+
+constexpr std::string_view name_of(At a) {
+  constexpr std::string_view names[] = {"", "source", "target", "between"};
+  return names[static_cast<int>(a)];
+}
+
+constexpr std::string_view name_of(Status s) {
+  constexpr std::string_view names[] = {"ok", "nonfinite", "unsupported"};
+  return names[static_cast<int>(s)];
+}
+
+constexpr std::string_view name_of(Stage s) {
+  constexpr std::string_view names[] = {"", "filter", "expansion", "exact"};
+  return names[static_cast<int>(s)];
+}
+
+constexpr std::string_view name_of(Convention c) { return c == Convention::closed ? "closed" : "transversal"; }
+
+}  // namespace tribunal

@@ -1,0 +1,55 @@
+// A method: one intersection test under trial, with what it promises.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "core/answer.h"
+#include "core/query.h"
+#include "core/sign.h"
+
+namespace tribunal {
+
+/// The coordinates a method computes with. A binary32 method is judged only on operands exact in binary32.
+enum class Format : std::uint8_t { binary32, binary64 };
+
+constexpr std::string_view name_of(Format f) { return f == Format::binary32 ? "binary32" : "binary64"; }
+
+/// Fuzz, certify, render and chart take methods by name and know nothing else about them.
+struct Method {
+  std::string name;       ///< e.g. "sf-double"
+  std::string number;     ///< number type, e.g. "binary64", "GMP dyadic"
+  std::string contract;   ///< which operands it takes
+  std::string summary;    ///< one line for people
+  std::string reference;  ///< where it was published
+  Convention convention;  ///< what it promises of coplanar contacts
+  Format format;          ///< coordinates beyond this format are rounded on entry
+  bool exact = false;     ///< promises the right answer to every query in its contract
+
+  std::function<Answer(const Segment&, const Triangle&)> segment;
+  std::function<Answer(const Ray&, const Triangle&)> ray;
+  /// `segment` with the class of the five points added, for methods that work from signs; else empty.
+  std::function<Answer(const Segment&, const Triangle&)> classify;
+  /// Sign of t₁ − t₂ for two triangles that the ray crosses; empty if the method has no opinion.
+  std::function<Sign(const Ray&, const Triangle&, const Triangle&)> compare_hits;
+
+  /// The answer to a query. A non-finite operand never reaches the test.
+  Answer ask(const Query& query) const {
+    if (!is_finite(query.triangle)) return refusal(Status::nonfinite);
+    return std::visit([&](const auto& probe) { return ask(probe, query.triangle); }, query.probe);
+  }
+
+ private:
+  Answer ask(const Segment& s, const Triangle& t) const {
+    return is_finite(s) ? segment(s, t) : refusal(Status::nonfinite);
+  }
+  Answer ask(const Ray& r, const Triangle& t) const { return is_finite(r) ? ray(r, t) : refusal(Status::nonfinite); }
+};
+
+/// The methods that need floating point only: naive Segura–Feito and the published rivals.
+std::vector<Method> float_methods();
+
+}  // namespace tribunal
