@@ -80,7 +80,7 @@ CrossingSigns crossing_signs(Axis dropped, const P& probe, const Point3& a, cons
 /// Closed probe against closed segment ab, not all on one line. Each must reach the other's line. If either is a
 /// point, its own two signs vanish and the other pair, equal and nonzero, rejects; so no case split is needed.
 template <class X>
-bool cross(const CrossingSigns& s, const X& probe_target) {
+bool crosses(const CrossingSigns& s, const X& probe_target) {
   return reaches(s.source_of_ab, s.target_of_ab, probe_target) && value(s.a_of_probe) * value(s.b_of_probe) <= 0;
 }
 
@@ -88,7 +88,7 @@ bool cross(const CrossingSigns& s, const X& probe_target) {
 template <Kernel K, class P>
 bool meets_edge(Axis dropped, const P& probe, const Point3& a, const Point3& b, const K& k) {
   const CrossingSigns s = crossing_signs(dropped, probe, a, b, k);
-  return s.all_zero() ? meets_on_line_unordered(probe, a, b, k) : cross(s, target(probe));
+  return s.all_zero() ? meets_on_line_unordered(probe, a, b, k) : crosses(s, target(probe));
 }
 
 /// Probe in the plane of a triangle with area, whose projection has orientation `turn` ≠ 0.
@@ -108,7 +108,7 @@ bool meets_segment(const P& probe, const Point3& lo, const Point3& hi, const K& 
   if (k.orient3d(source(probe), lo, hi, target(probe)) != Sign::zero) return false;
   for (const Axis dropped : all_axes) {
     const CrossingSigns s = crossing_signs(dropped, probe, lo, hi, k);
-    if (!s.all_zero()) return cross(s, target(probe));
+    if (!s.all_zero()) return crosses(s, target(probe));
   }
   return meets_on_line(probe, lo, hi, k);
 }

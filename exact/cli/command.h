@@ -1,0 +1,37 @@
+// The shape of a command: main.cpp holds the table, each command its own file.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "core/method.h"
+
+namespace tribunal {
+
+/// What a command does once its options are parsed; returns an exit code or throws Failure.
+using Action = std::function<int()>;
+
+struct Command {
+  const char* name;
+  const char* summary;  ///< one line
+  const char* example;  ///< shown at the end of --help
+  Action (*declare)(CLI::App& app);
+};
+
+/// The named methods ("a,b,c"), in the order given. Fails with Exit::usage, naming the nearest known method.
+std::vector<Method> methods_named(const std::string& comma_separated);
+
+/// The default number of worker threads: one for each core.
+unsigned default_threads();
+
+Action declare_methods(CLI::App& app);
+Action declare_classify(CLI::App& app);
+Action declare_fuzz(CLI::App& app);
+Action declare_shrink(CLI::App& app);
+Action declare_replay(CLI::App& app);
+Action declare_certify(CLI::App& app);
+
+}  // namespace tribunal

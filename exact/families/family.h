@@ -1,0 +1,38 @@
+// Families of generated cases. Case k of a family under a seed is a pure function of (family, seed, k).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/answer.h"
+#include "core/method.h"
+#include "core/query.h"
+
+namespace tribunal {
+
+/// One generated case with what its construction knows of it.
+struct Trial {
+  Query query;
+  Format format = Format::binary64;
+  ClassId class_id = 0;  ///< by construction; 0: not known, ask an oracle
+  std::uint16_t level = 0;  ///< index into Family::levels: where on its stress axis the case lies
+};
+
+/// A family: what it stresses and which population it draws from. Adding one is adding a file and a row.
+struct Family {
+  std::string_view name;
+  std::string_view stresses;    ///< one line for people
+  std::string_view population;  ///< what a sampled figure is about
+  std::string_view axis;        ///< name and unit of the stress axis
+  std::span<const int> (*levels)(Format);
+  Trial (*make)(Format format, std::uint64_t seed, std::uint64_t k);
+};
+
+std::span<const Family> all_families();
+
+const Family* find_family(std::string_view name);
+
+}  // namespace tribunal
