@@ -7,8 +7,9 @@
 namespace tribunal {
 
 /// Where the probe meets the triangle. `coplanar`: they lie in one plane and meet there. A degenerate
-/// triangle that is met, and a point that lies in the triangle's plane, are always coplanar contacts.
-enum class Contact : std::uint8_t { none, interior, edge, vertex, coplanar };
+/// triangle that is met, and a point that lies in the triangle's plane, are always coplanar contacts. `unsaid`: a hit
+/// by a method that does not tell.
+enum class Contact : std::uint8_t { none, interior, edge, vertex, coplanar, unsaid };
 
 /// Which part of the probe is in contact, where exactly one point is. `unsaid` otherwise.
 enum class At : std::uint8_t { unsaid, source, target, between };
@@ -49,7 +50,7 @@ constexpr bool counts_as_hit(Contact exact, Convention convention) {
 }
 
 constexpr std::string_view name_of(Contact c) {
-  constexpr std::string_view names[] = {"none", "interior", "edge", "vertex", "coplanar"};
+  constexpr std::string_view names[] = {"none", "interior", "edge", "vertex", "coplanar", ""};
   return names[static_cast<int>(c)];
 }
 

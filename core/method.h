@@ -49,7 +49,4 @@ struct Method {
   Answer ask(const Ray& r, const Triangle& t) const { return is_finite(r) ? ray(r, t) : refusal(Status::nonfinite); }
 };
 
-/// The methods that need floating point only: naive Segura–Feito and the published rivals.
-std::vector<Method> float_methods();
-
 }  // namespace tribunal

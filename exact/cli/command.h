@@ -1,11 +1,10 @@
 // The shape of a command: main.cpp holds the table, each command its own file.
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
 #include <vector>
-
-#include <CLI/CLI.hpp>
 
 #include "core/method.h"
 

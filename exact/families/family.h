@@ -17,7 +17,7 @@ namespace tribunal {
 struct Trial {
   Query query;
   Format format = Format::binary64;
-  ClassId class_id = 0;  ///< by construction; 0: not known, ask an oracle
+  ClassId class_id = 0;     ///< by construction; 0: not known, ask an oracle
   std::uint16_t level = 0;  ///< index into Family::levels: where on its stress axis the case lies
 };
 

@@ -1,13 +1,13 @@
 #include "exact/io/files.h"
 
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <memory>
 #include <system_error>
-
-#include <unistd.h>
 
 #include "exact/io/failure.h"
 

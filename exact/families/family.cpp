@@ -1,0 +1,22 @@
+#include "exact/families/family.h"
+
+#include <algorithm>
+#include <array>
+
+#include "exact/families/affine.h"
+#include "exact/families/ulp.h"
+
+namespace tribunal {
+
+std::span<const Family> all_families() {
+  static const std::array table = {affine_family(), ulp_family()};
+  return table;
+}
+
+const Family* find_family(std::string_view name) {
+  const auto families = all_families();
+  const auto found = std::ranges::find(families, name, &Family::name);
+  return found == families.end() ? nullptr : &*found;
+}
+
+}  // namespace tribunal

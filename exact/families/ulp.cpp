@@ -1,0 +1,73 @@
+#include "exact/families/ulp.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "exact/classes/class_table.h"
+#include "exact/families/affine.h"
+
+namespace tribunal {
+namespace {
+
+constexpr int steps_64[] = {1, 2, 3, 4, 8, 1 << 6, 1 << 10, 1 << 20};
+constexpr int steps_32[] = {1, 2, 3, 4, 8, 1 << 6, 1 << 10};
+
+std::span<const int> steps(Format format) {
+  if (format == Format::binary32) return steps_32;
+  return steps_64;
+}
+
+/// Bit patterns of one sign are ordered like the numbers; reflecting the negative ones orders all of them.
+template <class Float, class Int>
+Float moved(Float x, std::int64_t n) {
+  constexpr Int lowest = std::numeric_limits<Int>::min();
+  constexpr Int largest = std::bit_cast<Int>(std::numeric_limits<Float>::max());
+  const Int bits = std::bit_cast<Int>(x);
+  const Int place = static_cast<Int>(bits < 0 ? lowest - bits : bits);
+  const Int goal = static_cast<Int>(std::clamp<std::int64_t>(place + n, -std::int64_t{largest}, largest));
+  return std::bit_cast<Float>(static_cast<Int>(goal < 0 ? lowest - goal : goal));
+}
+
+Point3& vertex(Trial& trial, std::uint64_t i) {
+  Segment& s = std::get<Segment>(trial.query.probe);
+  Triangle& t = trial.query.triangle;
+  Point3* const all[] = {&t.a, &t.b, &t.c, &s.p, &s.q};
+  return *all[i];
+}
+
+Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
+  Draw draw(2, seed, k);
+  const std::uint64_t fill = draw.below(mantissa_fills(format).size());
+  Trial trial = affine_image(format, draw, k % class_count + class_count * fill);
+  trial.class_id = 0;
+  trial.level = static_cast<std::uint16_t>(k / class_count % steps(format).size());
+  const std::int64_t step = steps(format)[trial.level];
+  Point3& v = vertex(trial, draw.below(5));
+  const std::uint64_t only_axis = draw.below(6);
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::int64_t n = draw.below(2) == 0 ? step : -step;
+    if (only_axis >= 3 || only_axis == static_cast<std::uint64_t>(axis)) v[axis] = moved_by_ulps(v[axis], n, format);
+    if (v[axis] == 0 && draw.below(2) == 0) v[axis] = -0.0;
+  }
+  return trial;
+}
+
+}  // namespace
+
+double moved_by_ulps(double x, std::int64_t n, Format format) {
+  if (format == Format::binary64) return moved<double, std::int64_t>(x, n);
+  return static_cast<double>(moved<float, std::int32_t>(static_cast<float>(x), n));
+}
+
+Family ulp_family() {
+  return {.name = "ulp",
+          .stresses = "near-degeneracy: one vertex some ulps off an exact degeneracy",
+          .population = "affine images of the class representatives, one vertex moved by ulps",
+          .axis = "units in the last place",
+          .levels = steps,
+          .make = make};
+}
+
+}  // namespace tribunal

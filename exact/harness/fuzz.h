@@ -1,0 +1,77 @@
+// The differential harness: generated cases, asked of every method, judged by the exact answer.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <tuple>
+#include <vector>
+
+#include "exact/families/family.h"
+#include "exact/harness/judge.h"
+
+namespace tribunal {
+
+/// One endless sequence of cases: a family in a format.
+struct Stream {
+  const Family* family;
+  Format format;
+};
+
+struct FuzzPlan {
+  std::vector<Method> methods;
+  std::vector<Stream> streams;
+  std::uint64_t seed = 1;
+  std::uint64_t cases = 0;  ///< in all, dealt to the streams in turn
+  double seconds = 0;       ///< if > 0, stop after that time instead; `cases` is then a ceiling
+  unsigned threads = 1;
+};
+
+/// Where a count belongs. Indices into the plan; class_id 1..163.
+struct Cell {
+  std::size_t method, stream, level;
+  ClassId class_id;
+};
+
+/// Counts by method × stream × level × class.
+class CountTable {
+ public:
+  CountTable(const FuzzPlan& plan);
+  Count& at(const Cell& cell) { return counts_[index(cell)]; }
+  const Count& at(const Cell& cell) const { return counts_[index(cell)]; }
+  CountTable& operator+=(const CountTable& other);
+
+  /// The sum over all cells that the predicate accepts.
+  Count sum(const std::function<bool(const Cell&)>& accept) const;
+
+ private:
+  std::size_t index(const Cell& cell) const;
+
+  std::size_t methods_, streams_, levels_;
+  std::vector<Count> counts_;
+};
+
+/// A wrong answer, with all that is needed to make the case again.
+struct Finding {
+  std::size_t method, stream;
+  std::uint64_t k;  ///< case number within the stream
+  Trial trial;
+  Truth truth;
+  Answer answer;
+};
+
+struct FuzzReport {
+  std::uint64_t cases = 0;
+  double seconds = 0;
+  CountTable counts;
+  std::vector<Finding> findings;  ///< the first of each method × stream × class, in order of discovery
+};
+
+/// Deterministic: the same plan gives the same report (but for `seconds`) whatever the number of threads. With a time
+/// limit the number of cases varies, but not what is said of them.
+FuzzReport fuzz(const FuzzPlan& plan);
+
+/// All families in both formats.
+std::vector<Stream> all_streams();
+
+}  // namespace tribunal

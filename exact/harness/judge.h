@@ -1,0 +1,54 @@
+// Right or wrong: the exact answer to a trial, and a method's answer held against it.
+#pragma once
+
+#include "core/method.h"
+#include "exact/families/family.h"
+
+namespace tribunal {
+
+/// The exact answer. class_id is 0 for rays.
+struct Truth {
+  ClassId class_id = 0;
+  Contact contact = Contact::none;
+
+  bool hit() const { return contact != Contact::none; }
+};
+
+/// What the reference says of a query, its class and its own decision held against each other. They come from the
+/// same kernel but by different ways: signs looked up in the table, and the Segura–Feito decision. Fails with
+/// Exit::oracles_contradict where they differ.
+Truth exact_truth(const Query& query);
+
+/// By construction where the trial knows its class, else exact_truth.
+Truth truth_of(const Trial& trial);
+
+enum class Judgement : std::uint8_t { right, wrong, unsupported };
+
+/// Judged by the method's own convention: coplanar contacts are misses to a transversal method.
+Judgement judge(const Method& method, const Truth& truth, const Answer& answer);
+
+/// A binary32 method is on trial only where its operands are exact in binary32.
+constexpr bool takes(const Method& method, Format format) {
+  return method.format == Format::binary64 || format == Format::binary32;
+}
+
+/// Cases asked, of these answered wrongly, of these outside the contract.
+struct Count {
+  std::uint64_t asked = 0, wrong = 0, unsupported = 0;
+
+  void add(Judgement j) {
+    ++asked;
+    wrong += j == Judgement::wrong;
+    unsupported += j == Judgement::unsupported;
+  }
+  Count& operator+=(const Count& other) {
+    asked += other.asked;
+    wrong += other.wrong;
+    unsupported += other.unsupported;
+    return *this;
+  }
+  std::uint64_t judged() const { return asked - unsupported; }
+  friend bool operator==(const Count&, const Count&) = default;
+};
+
+}  // namespace tribunal

@@ -1,0 +1,33 @@
+// Case and answer files: JSON Lines, one object a line, as docs/formats.md describes them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/method.h"
+#include "exact/io/json.h"
+
+namespace tribunal {
+
+/// A query with a name, as case files hold it.
+struct Case {
+  std::string id;
+  Format format = Format::binary64;
+  Query query;
+  std::optional<bool> expect;  ///< closed-set reading
+  ClassId class_id = 0;
+  std::string source;
+};
+
+/// One case; keys beyond the format's are errors, except those in `extra`.
+Case to_case(const Json& object, const Where& where, std::initializer_list<std::string_view> extra = {});
+
+Json from_case(const Case& c);
+
+/// Every line of a case file that is not blank, in order. An empty file is an error.
+std::vector<Case> read_cases(const std::string& path);
+
+Json from_answer(const std::string& id, const Method& method, const Answer& answer);
+
+}  // namespace tribunal

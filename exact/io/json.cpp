@@ -1,0 +1,140 @@
+#include "exact/io/json.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "exact/io/failure.h"
+
+namespace tribunal {
+namespace {
+
+constexpr int max_depth = 64;
+
+/// Nesting depth outside strings, so that a depth bomb is refused before the parser allocates for it.
+int depth_of(std::string_view text) {
+  int depth = 0, deepest = 0;
+  bool in_string = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (in_string) {
+      if (c == '\\') ++i;
+      if (c == '"') in_string = false;
+    } else if (c == '"') {
+      in_string = true;
+    } else if (c == '[' || c == '{') {
+      deepest = std::max(deepest, ++depth);
+    } else if (c == ']' || c == '}') {
+      --depth;
+    }
+  }
+  return deepest;
+}
+
+/// from_chars knows no "0x" and no locale; this takes the C99 form apart and hands it the rest.
+bool parse_hex_float(std::string_view text, double& x) {
+  const bool negative = text.starts_with('-');
+  if (negative || text.starts_with('+')) text.remove_prefix(1);
+  if (!text.starts_with("0x") && !text.starts_with("0X")) return false;
+  text.remove_prefix(2);
+  if (text.empty() || text.front() == '-') return false;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x, std::chars_format::hex);
+  if (end != text.data() + text.size()) return false;
+  if (error == std::errc::result_out_of_range) x = std::numeric_limits<double>::infinity();
+  if (negative) x = -x;
+  return error == std::errc{} || error == std::errc::result_out_of_range;
+}
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i] != b[j]);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
+    }
+  }
+  return row.back();
+}
+
+std::string shorten(std::string text) { return text.size() > 60 ? text.substr(0, 57) + "..." : text; }
+
+}  // namespace
+
+Where Where::key(std::string_view name) const {
+  return {file, line, path.empty() ? std::string(name) : path + "." + std::string(name)};
+}
+
+Where Where::index(std::size_t i) const { return {file, line, path + "[" + std::to_string(i) + "]"}; }
+
+void Where::fail(const std::string& what) const {
+  throw bad_input(file, line, path.empty() ? what : path + ": " + what);
+}
+
+std::string hex_float(double x) {
+  char digits[40];
+  const char* const end = std::to_chars(digits, digits + sizeof digits, std::fabs(x), std::chars_format::hex).ptr;
+  return (std::signbit(x) ? "-0x" : "0x") + std::string(digits, static_cast<std::size_t>(end - digits));
+}
+
+double to_number(const Json& value, Format format, const Where& where) {
+  double x = 0;
+  if (value.is_number()) {
+    x = value.get<double>();
+    // An integer too long for a double would be rounded by the conversion exactly as strtod rounds it.
+  } else if (!value.is_string() || !parse_hex_float(value.get_ref<const std::string&>(), x)) {
+    where.fail("expected a number or a hex-float string like \"0x1.8p+1\", found " + shorten(value.dump()));
+  }
+  if (!std::isfinite(x)) where.fail("expected a finite number, found " + shorten(value.dump()));
+  if (format == Format::binary32 &&
+      (std::fabs(x) > std::numeric_limits<float>::max() || static_cast<double>(static_cast<float>(x)) != x)) {
+    where.fail("expected a number that is exact in binary32, found " + shorten(value.dump()));
+  }
+  return x;
+}
+
+Point3 to_point(const Json& value, Format format, const Where& where) {
+  if (!value.is_array() || value.size() != 3) where.fail("expected three numbers, found " + shorten(value.dump()));
+  return {to_number(value[0], format, where.index(0)), to_number(value[1], format, where.index(1)),
+          to_number(value[2], format, where.index(2))};
+}
+
+Json from_point(const Point3& p) { return Json::array({hex_float(p.x), hex_float(p.y), hex_float(p.z)}); }
+
+Json parse_json(std::string_view text, const Where& where) {
+  if (depth_of(text) > max_depth) where.fail("nested deeper than " + std::to_string(max_depth) + " levels");
+  try {
+    return Json::parse(text);
+  } catch (const nlohmann::json::exception& e) {
+    const std::string what = e.what();
+    const std::size_t colon = what.find("] ");
+    where.fail("not valid JSON: " + (colon == std::string::npos ? what : what.substr(colon + 2)));
+  }
+}
+
+const Json& require(const Json& object, std::string_view key, const Where& where) {
+  const auto found = object.find(std::string(key));
+  if (found == object.end()) where.fail("missing \"" + std::string(key) + "\"");
+  return *found;
+}
+
+void require_keys(const Json& object, std::initializer_list<std::string_view> known, const Where& where) {
+  if (!object.is_object()) where.fail("expected an object, found " + shorten(object.dump()));
+  const std::vector<std::string> names(known.begin(), known.end());
+  for (const auto& item : object.items()) {
+    if (std::ranges::find(names, item.key()) == names.end()) {
+      where.fail("unknown key \"" + shorten(item.key()) + "\", did you mean \"" + nearest(item.key(), names) + "\"?");
+    }
+  }
+}
+
+std::string nearest(std::string_view word, const std::vector<std::string>& known) {
+  return *std::ranges::min_element(known, {}, [&](const std::string& k) { return edit_distance(word, k); });
+}
+
+}  // namespace tribunal

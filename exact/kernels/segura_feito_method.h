@@ -1,0 +1,52 @@
+// Makes a method of the Segura–Feito test on a given kernel.
+#pragma once
+
+#include "core/method.h"
+#include "core/segura_feito.h"
+#include "exact/classes/class_table.h"
+
+namespace tribunal {
+
+/// What tells one sf-* method from another.
+struct KernelDescription {
+  const char* name;
+  const char* number;
+  const char* summary;
+  Format format;
+  bool exact;
+};
+
+/// The answer with its class. Where a coplanar contact is a single point, the class says so, and whether the source
+/// is that point is itself a query: the source as a segment against the triangle.
+template <Kernel K>
+Answer classify(const Segment& s, const Triangle& t, const K& k) {
+  Answer answer = segura_feito(s, t, k);
+  answer.class_id = class_of(chirotope(s, t, k));
+  if (answer.class_id == 0 || answer.contact != Contact::coplanar) return answer;
+  const ClassRow& row = class_row(answer.class_id);
+  if (row.intersection != "point") return answer;
+  if (row.touches.starts_with("int")) {
+    answer.at = At::between;
+  } else {
+    answer.at = segura_feito(Segment{s.p, s.p}, t, k).hit ? At::source : At::target;
+  }
+  return answer;
+}
+
+template <Kernel K>
+Method segura_feito_method(const KernelDescription& d, const K& k) {
+  return {.name = d.name,
+          .number = d.number,
+          .contract = "segment, ray; any triangle",
+          .summary = d.summary,
+          .reference = "Segura & Feito 1998, 2001",
+          .convention = Convention::closed,
+          .format = d.format,
+          .exact = d.exact,
+          .segment = [k](const Segment& s, const Triangle& t) { return segura_feito(s, t, k); },
+          .ray = [k](const Ray& r, const Triangle& t) { return segura_feito(r, t, k); },
+          .classify = [k](const Segment& s, const Triangle& t) { return classify(s, t, k); },
+          .compare_hits = [k](const Ray& r, const Triangle& s, const Triangle& t) { return k.compare_hits(r, s, t); }};
+}
+
+}  // namespace tribunal

@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# What every command shares: help, version, usage errors, and output that cannot be written.
+set -euo pipefail
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+# expect CODE ARG…: runs the program, checks its exit code; its output is left in $scratch/out and $scratch/err.
+expect() {
+  local expected=$1 status=0
+  shift
+  "$TRIBUNAL" "$@" >"$scratch/out" 2>"$scratch/err" || status=$?
+  [ "$status" -eq "$expected" ] || { echo "tribunal $*: exit $status, expected $expected" >&2; cat "$scratch/err" >&2; exit 1; }
+}
+says() { grep -qF -- "$2" "$scratch/$1" || { echo "expected '$2' in:" >&2; cat "$scratch/$1" >&2; exit 1; }; }
+one_line_error() { [ "$(wc -l <"$scratch/err")" -eq 1 ] && [ ! -s "$scratch/out" ]; }
+
+expect 0 --help && says out fuzz
+expect 0 --version && says out 'tribunal 0.1'
+for command in methods classify fuzz shrink replay certify render chart demo; do
+  expect 0 "$command" --help && says out "tribunal $command"
+  expect 2 "$command" --no-such-flag && says err "(see tribunal $command --help)" && one_line_error
+done
+expect 2 && says err fuzz
+expect 2 no-such-command && says err '(see tribunal --help)' && one_line_error
+expect 2 classify --method && one_line_error
+
+status=0
+"$TRIBUNAL" --help >/dev/full 2>"$scratch/err" || status=$?
+[ "$status" -eq 5 ] || { echo "full disk: exit $status, expected 5" >&2; exit 1; }
+
+mkfifo "$scratch/pipe"
+exec 3<>"$scratch/pipe" 4>"$scratch/pipe" 3<&- # nobody reads what is written to 4
+status=0
+"$TRIBUNAL" methods >&4 2>"$scratch/err" || status=$?
+[ "$status" -eq 5 ] || { echo "closed pipe: exit $status, expected 5" >&2; exit 1; }

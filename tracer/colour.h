@@ -1,0 +1,20 @@
+// Linear RGB light.
+#pragma once
+
+namespace tribunal {
+
+/// Linear red, green and blue, 1 = full intensity of a channel; sums may exceed 1 and are clamped on output.
+struct Colour {
+  double r = 0, g = 0, b = 0;
+
+  Colour& operator+=(const Colour& c) {
+    r += c.r;
+    g += c.g;
+    b += c.b;
+    return *this;
+  }
+  friend Colour operator*(double k, const Colour& c) { return {k * c.r, k * c.g, k * c.b}; }
+  friend Colour operator*(const Colour& a, const Colour& b) { return {a.r * b.r, a.g * b.g, a.b * b.b}; }
+};
+
+}  // namespace tribunal

@@ -1,0 +1,49 @@
+// A scene as its file describes it. The file format is documented in read_scene.h.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tracer/colour.h"
+#include "tracer/mesh/mesh.h"
+
+namespace tribunal {
+
+/// Pinhole camera. The picture is `view_height` high at unit distance from the eye; pixels are square.
+struct Camera {
+  Point3 eye{}, look_at{}, up{};
+  double view_height = 0;
+  int width = 0, height = 0;
+};
+
+/// Phong's and Whitted's coefficients, all in 0..1 but the exponent `shininess` ≥ 0 and the refractive index > 0
+/// (of the inside, against 1 outside; the inside is where the faces' normals point away from).
+struct Material {
+  Colour colour{0.8, 0.8, 0.8};
+  double ambient = 0.1, diffuse = 0.7, specular = 0.2, shininess = 20;
+  double reflection = 0, transparency = 0, refractive_index = 1;
+};
+
+struct Solid {
+  std::string name;
+  Mesh mesh;
+  Material material;
+};
+
+/// A point light without attenuation.
+struct Light {
+  Point3 position;
+  Colour colour;
+};
+
+struct Scene {
+  std::string file;  ///< where it was read from, for messages
+  Camera camera;
+  std::vector<Solid> solids;
+  std::vector<Light> lights;
+  Colour background;
+  int depth = 4;            ///< generations of rays: 1 = primary rays and their shadow rays only
+  double bias = 0x1p-16;    ///< see tracer/shading/whitted.h
+};
+
+}  // namespace tribunal
