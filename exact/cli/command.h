@@ -23,8 +23,17 @@ struct Command {
 /// The named methods ("a,b,c"), in the order given. Fails with Exit::usage, naming the nearest known method.
 std::vector<Method> methods_named(const std::string& comma_separated);
 
+/// "a,b" → {"a", "b"}.
+std::vector<std::string> split(const std::string& comma_separated);
+
 /// The default number of worker threads: one for each core.
 unsigned default_threads();
+
+/// --threads, defaulting to default_threads().
+void add_threads_option(CLI::App& app, unsigned& threads);
+
+/// 128 + signal if one asked for an end, as shells expect.
+int exit_code_after(int code_if_done, int signal);
 
 Action declare_methods(CLI::App& app);
 Action declare_classify(CLI::App& app);

@@ -76,15 +76,13 @@ CountTable& CountTable::operator+=(const CountTable& other) {
   return *this;
 }
 
-Count CountTable::sum(const std::function<bool(const Cell&)>& accept) const {
-  Count total;
+void CountTable::for_each(const std::function<void(const Cell&, const Count&)>& visit) const {
   for (std::size_t i = 0; i < counts_.size(); ++i) {
     const std::size_t row = i / class_count;
-    const Cell cell{row / levels_ / streams_, row / levels_ % streams_, row % levels_,
-                    static_cast<ClassId>(i % class_count + 1)};
-    if (accept(cell)) total += counts_[i];
+    visit(
+        {row / levels_ / streams_, row / levels_ % streams_, row % levels_, static_cast<ClassId>(i % class_count + 1)},
+        counts_[i]);
   }
-  return total;
 }
 
 FuzzReport fuzz(const FuzzPlan& plan) {

@@ -41,8 +41,8 @@ class CountTable {
   const Count& at(const Cell& cell) const { return counts_[index(cell)]; }
   CountTable& operator+=(const CountTable& other);
 
-  /// The sum over all cells that the predicate accepts.
-  Count sum(const std::function<bool(const Cell&)>& accept) const;
+  /// All cells, in index order, with their counts.
+  void for_each(const std::function<void(const Cell&, const Count&)>& visit) const;
 
  private:
   std::size_t index(const Cell& cell) const;

@@ -75,21 +75,18 @@ bool is_blank(std::string_view line) { return line.find_first_not_of(" \t\r") ==
 
 }  // namespace
 
-Case to_case(const Json& object, const Where& where, std::initializer_list<std::string_view> extra) {
-  Json plain = object;
-  if (plain.is_object()) {
-    for (const std::string_view key : extra) plain.erase(std::string(key));
-  }
-  require_keys(plain, {"id", "fmt", "seg", "ray", "tri", "rings", "expect", "class", "source"}, where);
-  if (plain.contains("rings")) where.key("rings").fail("polygons are not supported yet, expected \"tri\"");
+Case to_case(const Json& object, const Where& where) {
+  require_keys(object, {"id", "fmt", "seg", "ray", "tri", "rings", "expect", "class", "source", "finding"}, where);
+  if (object.contains("rings")) where.key("rings").fail("polygons are not supported yet, expected \"tri\"");
   Case c;
-  c.id = to_text(plain, "id", where);
-  c.format = to_format(plain, where);
-  c.query.probe = to_probe(plain, c.format, where);
-  c.query.triangle = to_triangle(require(plain, "tri", where), c.format, where.key("tri"));
-  c.expect = to_expectation(plain, where);
-  c.class_id = to_class(plain, where);
-  if (plain.contains("source")) c.source = to_text(plain, "source", where);
+  c.id = to_text(object, "id", where);
+  c.format = to_format(object, where);
+  c.query.probe = to_probe(object, c.format, where);
+  c.query.triangle = to_triangle(require(object, "tri", where), c.format, where.key("tri"));
+  c.expect = to_expectation(object, where);
+  c.class_id = to_class(object, where);
+  if (object.contains("source")) c.source = to_text(object, "source", where);
+  if (object.contains("finding")) c.finding = object["finding"];
   return c;
 }
 
@@ -108,6 +105,7 @@ Json from_case(const Case& c) {
   if (c.expect) object["expect"] = *c.expect ? 1 : 0;
   if (c.class_id != 0) object["class"] = class_name(c.class_id);
   if (!c.source.empty()) object["source"] = c.source;
+  if (!c.finding.is_null()) object["finding"] = c.finding;
   return object;
 }
 

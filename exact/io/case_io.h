@@ -12,16 +12,17 @@ namespace tribunal {
 
 /// A query with a name, as case files hold it.
 struct Case {
-  std::string id;
+  std::string id{};
   Format format = Format::binary64;
-  Query query;
-  std::optional<bool> expect;  ///< closed-set reading
+  Query query{};
+  std::optional<bool> expect{};  ///< closed-set reading
   ClassId class_id = 0;
-  std::string source;
+  std::string source{};
+  Json finding{};  ///< what a counterexample adds: carried along, not interpreted
 };
 
-/// One case; keys beyond the format's are errors, except those in `extra`.
-Case to_case(const Json& object, const Where& where, std::initializer_list<std::string_view> extra = {});
+/// One case. A key that the format does not have is an error.
+Case to_case(const Json& object, const Where& where);
 
 Json from_case(const Case& c);
 

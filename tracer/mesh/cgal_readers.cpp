@@ -1,12 +1,12 @@
 #include "tracer/mesh/cgal_readers.h"
 
-#include <sstream>
-
 #include <CGAL/IO/OBJ.h>
 #include <CGAL/IO/OFF.h>
 #include <CGAL/IO/PLY.h>
 #include <CGAL/IO/STL.h>
 #include <CGAL/Simple_cartesian.h>
+
+#include <sstream>
 
 namespace tribunal {
 namespace {
@@ -17,10 +17,14 @@ using Polygons = std::vector<std::vector<std::size_t>>;
 
 bool read_with_cgal(MeshFormat format, std::istream& in, CgalPoints& points, Polygons& polygons) {
   switch (format) {
-    case MeshFormat::off: return CGAL::IO::read_OFF(in, points, polygons);
-    case MeshFormat::obj: return CGAL::IO::read_OBJ(in, points, polygons);
-    case MeshFormat::ply: return CGAL::IO::read_PLY(in, points, polygons);
-    case MeshFormat::stl: return CGAL::IO::read_STL(in, points, polygons);
+    case MeshFormat::off:
+      return CGAL::IO::read_OFF(in, points, polygons);
+    case MeshFormat::obj:
+      return CGAL::IO::read_OBJ(in, points, polygons);
+    case MeshFormat::ply:
+      return CGAL::IO::read_PLY(in, points, polygons);
+    case MeshFormat::stl:
+      return CGAL::IO::read_STL(in, points, polygons);
   }
   return false;
 }

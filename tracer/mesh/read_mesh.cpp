@@ -52,7 +52,8 @@ void require_agreement(const std::string& path, const ScannedMesh& scanned, cons
   if (!std::all_of(soup.points.begin(), soup.points.end(), [](const Point3& p) { return is_finite(p); })) {
     fail("a coordinate is not finite");
   }
-  if (soup.points.size() > std::numeric_limits<std::uint32_t>::max()) fail("too many vertices, expected at most 2^32 − 1");
+  if (soup.points.size() > std::numeric_limits<std::uint32_t>::max())
+    fail("too many vertices, expected at most 2^32 − 1");
 }
 
 }  // namespace

@@ -51,8 +51,9 @@ ScannedMesh scan_obj(const std::string& file, std::string& bytes) {
   if (vertices == 0) throw bad_input(file, 0, "has no vertices, expected an OBJ file with \"v\" lines");
   if (mesh.degrees.empty()) throw bad_input(file, 0, "has no faces, expected an OBJ file with \"f\" lines");
   if (greatest > vertices) {
-    throw bad_input(file, greatest_line, "vertex index " + std::to_string(greatest) +
-                                             " is out of range, expected 1 to " + std::to_string(vertices));
+    throw bad_input(
+        file, greatest_line,
+        "vertex index " + std::to_string(greatest) + " is out of range, expected 1 to " + std::to_string(vertices));
   }
   mesh.vertices = static_cast<std::size_t>(vertices);
   return mesh;

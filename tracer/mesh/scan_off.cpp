@@ -22,8 +22,8 @@ std::size_t count_at(const TextLines& in, std::size_t i, const char* of, std::si
   const long long n = in.integer(i, "the numbers of vertices, faces and edges");
   if (n <= 0) throw in.error("announces " + std::to_string(n) + " " + of + ", expected at least 1");
   if (static_cast<unsigned long long>(n) > file_size / least) {
-    throw in.error("announces " + std::to_string(n) + " " + of + ", more than the file's " +
-                   std::to_string(file_size) + " bytes could hold");
+    throw in.error("announces " + std::to_string(n) + " " + of + ", more than the file's " + std::to_string(file_size) +
+                   " bytes could hold");
   }
   return static_cast<std::size_t>(n);
 }
@@ -73,7 +73,8 @@ ScannedMesh scan_off(const std::string& file, std::string& bytes) {
     in.require(std::to_string(counts.faces) + " faces but found " + std::to_string(i));
     mesh.degrees.push_back(scan_face(in, counts.vertices));
   }
-  if (in.next()) throw in.error("trailing " + quoted(in.token(0)) + " after the last face, expected the end of the file");
+  if (in.next())
+    throw in.error("trailing " + quoted(in.token(0)) + " after the last face, expected the end of the file");
   return mesh;
 }
 

@@ -120,13 +120,15 @@ void require_mesh(const Header& h, const std::string& file) {
   if (!vertex || vertex->items == 0) throw bad_input(file, 0, "has no vertices, expected an element \"vertex\"");
   if (!face || face->items == 0) throw bad_input(file, 0, "has no faces, expected an element \"face\"");
   if (face < vertex) throw bad_input(file, 0, "has faces before vertices, expected vertices first");
-  if (std::count_if(h.elements.begin(), h.elements.end(), [](const Element& e) { return is_vertex(e) || is_face(e); }) != 2) {
+  if (std::count_if(h.elements.begin(), h.elements.end(),
+                    [](const Element& e) { return is_vertex(e) || is_face(e); }) != 2) {
     throw bad_input(file, 0, "has repeated elements, expected one \"vertex\" and one \"face\"");
   }
   for (const char* name : {"x", "y", "z"}) {
     const auto has = [&](const Property& p) { return p.name == name && p.type.floating && p.count.bytes == 0; };
     if (std::count_if(vertex->properties.begin(), vertex->properties.end(), has) == 1) continue;
-    throw bad_input(file, 0, std::string("has vertices without ") + name + ", expected one property float or double " + name);
+    throw bad_input(file, 0,
+                    std::string("has vertices without ") + name + ", expected one property float or double " + name);
   }
   const auto corners = [](const Property& p) {
     return is_corners(p) && p.count.bytes > 0 && p.type.bytes == 4 && !p.type.floating;
@@ -189,9 +191,12 @@ class Numbers {
     at_ += type.bytes;
     if (type.floating) return type.bytes == 4 ? decode<float>(bytes) : decode<double>(bytes);
     switch (type.bytes) {
-      case 1: return type.is_signed ? decode<std::int8_t>(bytes) : decode<std::uint8_t>(bytes);
-      case 2: return type.is_signed ? decode<std::int16_t>(bytes) : decode<std::uint16_t>(bytes);
-      default: return type.is_signed ? decode<std::int32_t>(bytes) : decode<std::uint32_t>(bytes);
+      case 1:
+        return type.is_signed ? decode<std::int8_t>(bytes) : decode<std::uint8_t>(bytes);
+      case 2:
+        return type.is_signed ? decode<std::int16_t>(bytes) : decode<std::uint16_t>(bytes);
+      default:
+        return type.is_signed ? decode<std::int32_t>(bytes) : decode<std::uint32_t>(bytes);
     }
   }
 

@@ -76,11 +76,12 @@ std::size_t scan_solids(TextLines& in) {
 ScannedMesh scan_stl(const std::string& file, std::string& bytes) {
   if (is_binary(bytes)) return scan_binary(file, bytes);
   if (bytes.compare(0, 5, "solid") != 0) {
-    throw bad_input(file, 0, bytes.size() < header_size
-                                 ? "is neither text (\"solid\") nor long enough for a binary STL header"
-                                 : "announces " + std::to_string(value_at<std::uint32_t>(bytes, 80)) +
-                                       " triangles, which does not fit its size of " + std::to_string(bytes.size()) +
-                                       " bytes; expected 84 + 50 bytes a triangle, or text that starts with \"solid\"");
+    throw bad_input(file, 0,
+                    bytes.size() < header_size
+                        ? "is neither text (\"solid\") nor long enough for a binary STL header"
+                        : "announces " + std::to_string(value_at<std::uint32_t>(bytes, 80)) +
+                              " triangles, which does not fit its size of " + std::to_string(bytes.size()) +
+                              " bytes; expected 84 + 50 bytes a triangle, or text that starts with \"solid\"");
   }
   require_text(file, bytes);
   TextLines in(bytes, file, '\0');

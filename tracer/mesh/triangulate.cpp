@@ -55,9 +55,10 @@ Mesh triangulate(const PolygonSoup& soup, const std::string& file) {
   for (std::size_t f = 0; f < soup.polygons.size(); ++f) {
     const Ring& ring = soup.polygons[f];
     if (ring.size() > 3 && !fan_is_polygon(ring, soup.points)) {
-      throw bad_input(file, 0, "face " + std::to_string(f) + " with " + std::to_string(ring.size()) +
-                                   " corners is not convex; nonconvex faces come with the polygon test, " +
-                                   "triangulate the mesh first");
+      throw bad_input(file, 0,
+                      "face " + std::to_string(f) + " with " + std::to_string(ring.size()) +
+                          " corners is not convex; nonconvex faces come with the polygon test, " +
+                          "triangulate the mesh first");
     }
     for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
       mesh.triangles.push_back({static_cast<std::uint32_t>(ring[0]), static_cast<std::uint32_t>(ring[i]),

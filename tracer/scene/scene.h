@@ -42,8 +42,8 @@ struct Scene {
   std::vector<Solid> solids;
   std::vector<Light> lights;
   Colour background;
-  int depth = 4;            ///< generations of rays: 1 = primary rays and their shadow rays only
-  double bias = 0x1p-16;    ///< see tracer/shading/whitted.h
+  int depth = 4;          ///< generations of rays: 1 = primary rays and their shadow rays only
+  double bias = 0x1p-16;  ///< see tracer/shading/whitted.h
 };
 
 }  // namespace tribunal

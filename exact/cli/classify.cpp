@@ -1,0 +1,41 @@
+#include <memory>
+
+#include "exact/cli/command.h"
+#include "exact/io/case_io.h"
+#include "exact/io/files.h"
+
+namespace tribunal {
+namespace {
+
+struct Options {
+  std::string methods, in = "-", out = "-";
+};
+
+/// With the class where the method can tell it.
+Answer answer_to(const Method& method, const Query& query) {
+  const auto* segment = std::get_if<Segment>(&query.probe);
+  return segment != nullptr && method.classify ? method.classify(*segment, query.triangle) : method.ask(query);
+}
+
+int run(const Options& o) {
+  const std::vector<Method> methods = methods_named(o.methods);
+  require_different(o.in, o.out);
+  std::string lines;
+  for (const Case& c : read_cases(o.in)) {
+    for (const Method& m : methods) lines += from_answer(c.id, m, answer_to(m, c.query)).dump() + "\n";
+  }
+  write_file(o.out, lines);
+  return 0;
+}
+
+}  // namespace
+
+Action declare_classify(CLI::App& app) {
+  const auto o = std::make_shared<Options>();
+  app.add_option("--method", o->methods, "methods, separated by commas")->required();
+  app.add_option("--in", o->in, "case file (JSON Lines); - is standard input")->capture_default_str();
+  app.add_option("--out", o->out, "answer file (JSON Lines); - is standard output")->capture_default_str();
+  return [o] { return run(*o); };
+}
+
+}  // namespace tribunal

@@ -1,0 +1,167 @@
+#include <cstdio>
+#include <map>
+#include <memory>
+
+#include "exact/classes/class_table.h"
+#include "exact/cli/command.h"
+#include "exact/harness/counterexample.h"
+#include "exact/harness/environment.h"
+#include "exact/harness/interrupt.h"
+#include "exact/harness/progress.h"
+#include "exact/io/failure.h"
+#include "exact/io/files.h"
+
+namespace tribunal {
+namespace {
+
+struct Options {
+  std::string methods = "sf-double", families, out;
+  std::uint64_t seed = 1, count = 0;
+  double seconds = 0;
+  unsigned threads = 1;
+  std::size_t keep = 20;
+};
+
+std::vector<Stream> streams_named(const std::string& families) {
+  std::vector<Stream> streams;
+  for (const std::string& name : split(families)) {
+    if (find_family(name) == nullptr) {
+      std::vector<std::string> known;
+      for (const Family& f : all_families()) known.emplace_back(f.name);
+      throw Failure(Exit::usage, "unknown family \"" + name + "\", did you mean \"" + nearest(name, known) + "\"?");
+    }
+    for (const Stream& s : all_streams()) {
+      if (s.family->name == name) streams.push_back(s);
+    }
+  }
+  return streams;
+}
+
+FuzzPlan plan_of(const Options& o) {
+  constexpr std::uint64_t default_cases = 500'000, no_limit = std::uint64_t{1} << 40;
+  FuzzPlan plan;
+  plan.methods = methods_named(o.methods);
+  plan.streams = o.families.empty() ? all_streams() : streams_named(o.families);
+  plan.seed = o.seed;
+  plan.seconds = o.seconds;
+  plan.cases = o.count > 0 ? o.count : o.seconds > 0 ? no_limit : default_cases;
+  plan.threads = o.threads;
+  return plan;
+}
+
+struct Row {
+  std::size_t method, stream, level;
+  auto operator<=>(const Row&) const = default;
+};
+
+std::map<Row, Count> by_level(const FuzzReport& report) {
+  std::map<Row, Count> rows;
+  report.counts.for_each([&](const Cell& c, const Count& count) {
+    if (count.asked > 0) rows[{c.method, c.stream, c.level}] += count;
+  });
+  return rows;
+}
+
+int classes_covered(const FuzzReport& report, std::size_t stream) {
+  std::vector<bool> seen(class_count + 1);
+  report.counts.for_each([&](const Cell& c, const Count& count) {
+    if (c.stream == stream && count.asked > 0) seen[c.class_id] = true;
+  });
+  return static_cast<int>(std::count(seen.begin(), seen.end(), true));
+}
+
+std::string table(const FuzzPlan& plan, const FuzzReport& report) {
+  std::string text;
+  char line[200];
+  std::snprintf(line, sizeof line, "%-14s %-8s %-9s %24s %12s %12s  %s\n", "method", "family", "format", "stress",
+                "cases", "wrong", "share");
+  text += line;
+  for (const auto& [row, count] : by_level(report)) {
+    const Stream& s = plan.streams[row.stream];
+    const std::string stress =
+        std::to_string(s.family->levels(s.format)[row.level]) + " " + (s.family->name == "affine" ? "bits" : "ulps");
+    const double share =
+        count.judged() == 0 ? 0 : static_cast<double>(count.wrong) / static_cast<double>(count.judged());
+    std::snprintf(
+        line, sizeof line, "%-14s %-8s %-9s %24s %12llu %12llu  %.4f %%\n", plan.methods[row.method].name.c_str(),
+        std::string(s.family->name).c_str(), std::string(name_of(s.format)).c_str(), stress.c_str(),
+        static_cast<unsigned long long>(count.judged()), static_cast<unsigned long long>(count.wrong), 100 * share);
+    text += line;
+  }
+  for (std::size_t i = 0; i < plan.streams.size(); ++i) {
+    text += "coverage " + std::string(plan.streams[i].family->name) + " " +
+            std::string(name_of(plan.streams[i].format)) + ": " + std::to_string(classes_covered(report, i)) +
+            " of 163 classes\n";
+  }
+  return text;
+}
+
+/// Per method × family × format × class; nothing that varies from run to run.
+Json summary(const FuzzPlan& plan, const FuzzReport& report) {
+  std::map<std::tuple<std::size_t, std::size_t, ClassId>, Count> cells;
+  report.counts.for_each([&](const Cell& c, const Count& count) {
+    if (count.asked > 0) cells[{c.method, c.stream, c.class_id}] += count;
+  });
+  Json rows = Json::array();
+  for (const auto& [key, count] : cells) {
+    const auto& [method, stream, id] = key;
+    rows.push_back({{"method", plan.methods[method].name},
+                    {"family", plan.streams[stream].family->name},
+                    {"fmt", name_of(plan.streams[stream].format)},
+                    {"class", class_name(id)},
+                    {"asked", count.asked},
+                    {"wrong", count.wrong},
+                    {"unsupported", count.unsupported}});
+  }
+  return {{"seed", plan.seed}, {"cases", report.cases}, {"counts", rows}, {"environment", environment()}};
+}
+
+std::vector<Case> counterexamples(const FuzzPlan& plan, const FuzzReport& report, std::size_t keep) {
+  std::vector<Case> cases;
+  std::vector<std::size_t> kept(plan.methods.size());
+  for (const Finding& f : report.findings) {
+    if (kept[f.method]++ < keep) cases.push_back(to_counterexample(plan, f));
+  }
+  return cases;
+}
+
+int run(const Options& o) {
+  const FuzzPlan plan = plan_of(o);
+  if (!o.out.empty()) make_directory(o.out);
+  const FuzzReport report = fuzz(plan);
+  if (report.cases == 0) throw Failure(Exit::resources, "no case was run");
+  print(table(plan, report));
+  print(compact(static_cast<double>(report.cases)) + " cases in " + compact(report.seconds) + " s, " +
+        compact(static_cast<double>(report.cases) / report.seconds) + "/s; seed " + std::to_string(plan.seed) + "\n");
+  if (!o.out.empty()) {
+    const std::vector<Case> cases = counterexamples(plan, report, o.keep);
+    write_file(o.out + "/summary.json", summary(plan, report).dump(1) + "\n");
+    write_file(o.out + "/counterexamples.jsonl", to_lines(cases));
+    print(std::to_string(cases.size()) + " counterexamples in " + o.out + "/counterexamples.jsonl; " +
+          "`tribunal replay` shows them\n");
+  }
+  return exit_code_after(code(report.findings.empty() ? Exit::ok : Exit::disagreement), interrupted());
+}
+
+std::string family_help() {
+  std::string text = "families, separated by commas (default all):";
+  for (const Family& f : all_families()) text += " " + std::string(f.name) + " (" + std::string(f.stresses) + ")";
+  return text;
+}
+
+}  // namespace
+
+Action declare_fuzz(CLI::App& app) {
+  const auto o = std::make_shared<Options>();
+  app.add_option("--method", o->methods, "methods, separated by commas")->capture_default_str();
+  app.add_option("--family", o->families, family_help());
+  app.add_option("--seed", o->seed, "seed of the cases")->capture_default_str();
+  auto* count = app.add_option("--count", o->count, "cases in all (default 500000)")->check(CLI::PositiveNumber);
+  app.add_option("--seconds", o->seconds, "run for a time instead")->check(CLI::PositiveNumber)->excludes(count);
+  add_threads_option(app, o->threads);
+  app.add_option("--keep", o->keep, "counterexamples to shrink and write, a method")->capture_default_str();
+  app.add_option("--out", o->out, "directory for summary.json and counterexamples.jsonl");
+  return [o] { return run(*o); };
+}
+
+}  // namespace tribunal

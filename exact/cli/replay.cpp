@@ -1,0 +1,74 @@
+#include <memory>
+
+#include "exact/cli/command.h"
+#include "exact/harness/counterexample.h"
+#include "exact/harness/shrink.h"
+#include "exact/io/failure.h"
+#include "exact/io/files.h"
+#include "exact/methods.h"
+
+namespace tribunal {
+namespace {
+
+int run_replay(const std::string& file) {
+  bool any_wrong = false;
+  for (const Case& c : read_cases(file)) {
+    bool wrong = false;
+    print(replay(c, wrong) + "\n");
+    any_wrong |= wrong;
+  }
+  return code(any_wrong ? Exit::disagreement : Exit::ok);
+}
+
+/// The method that a case is a counterexample to: named in its finding, or given.
+const Method& method_of(const Case& c, const std::string& given, const std::string& file) {
+  const std::string name = !given.empty() ? given : c.finding.is_object() ? c.finding.value("method", "") : "";
+  if (name.empty()) throw Failure(Exit::usage, file + ": " + c.id + " names no method, expected --method");
+  const Method* method = find_method(name);
+  if (method == nullptr) throw Failure(Exit::usage, file + ": " + c.id + " names an unknown method, " + name);
+  return *method;
+}
+
+Case shrunk(Case c, const Method& method) {
+  const Truth before = exact_truth(c.query);
+  if (judge(method, before, method.ask(c.query)) != Judgement::wrong) {
+    throw Failure(Exit::bad_input, c.id + ": " + method.name + " answers it rightly, expected a counterexample");
+  }
+  c.query = shrink(method, c.query, c.format);
+  const Truth truth = exact_truth(c.query);
+  c.expect = truth.hit();
+  c.class_id = truth.class_id;
+  const Json origin = c.finding.is_object() ? c.finding.value("origin", Json()) : Json();
+  c.finding = finding_of(method, c.query, truth);
+  if (!origin.is_null()) c.finding["origin"] = origin;
+  return c;
+}
+
+int run_shrink(const std::string& file, const std::string& method, const std::string& out) {
+  require_different(file, out);
+  std::vector<Case> cases;
+  for (const Case& c : read_cases(file)) cases.push_back(shrunk(c, method_of(c, method, file)));
+  write_file(out, to_lines(cases));
+  return 0;
+}
+
+}  // namespace
+
+Action declare_replay(CLI::App& app) {
+  const auto file = std::make_shared<std::string>();
+  app.add_option("FILE", *file, "case or counterexample file (JSON Lines); - is standard input")->required();
+  return [file] { return run_replay(*file); };
+}
+
+Action declare_shrink(CLI::App& app) {
+  struct Options {
+    std::string file, method, out = "-";
+  };
+  const auto o = std::make_shared<Options>();
+  app.add_option("FILE", o->file, "counterexample file (JSON Lines)")->required();
+  app.add_option("--method", o->method, "the method that is wrong, where the file does not name it");
+  app.add_option("--out", o->out, "where the shrunk cases go; - is standard output")->capture_default_str();
+  return [o] { return run_shrink(o->file, o->method, o->out); };
+}
+
+}  // namespace tribunal

@@ -1,0 +1,30 @@
+// Counterexamples: self-contained case lines, with the exact evidence beside them.
+#pragma once
+
+#include <string>
+
+#include "exact/harness/fuzz.h"
+#include "exact/io/case_io.h"
+
+namespace tribunal {
+
+/// The exact signs and parameter of a query, as anyone with rationals can recompute them.
+/// `abcp`, `abcq` are orient3d(a,b,c,·) of source and target; `pqab`, `pqbc`, `pqca` those of the probe's line.
+/// For a ray, q stands for the direction. `t` is where the probe meets the plane, as a fraction of [p,q] or in
+/// multiples of d; absent if it is parallel.
+Json exact_evidence(const Query& query);
+
+/// What a counterexample says of a method: its answer, the answer due by its convention, and the evidence.
+Json finding_of(const Method& method, const Query& query, const Truth& truth);
+
+/// The finding, shrunk, as a case with a "finding" that says method, answer, origin and evidence.
+Case to_counterexample(const FuzzPlan& plan, const Finding& finding);
+
+/// One JSON line each.
+std::string to_lines(const std::vector<Case>& cases);
+
+/// What `replay` prints of a case: points, evidence, exact answer and every method's. Sets `wrong` if some method
+/// that takes the case answers wrongly.
+std::string replay(const Case& c, bool& wrong);
+
+}  // namespace tribunal

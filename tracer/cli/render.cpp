@@ -1,0 +1,204 @@
+// tribunal render: an image, and with --against the pixels that differ, as an image and as cases.
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "exact/io/failure.h"
+#include "exact/io/files.h"
+#include "tracer/cli/command.h"
+#include "tracer/compare.h"
+#include "tracer/scene/read_scene.h"
+
+namespace tribunal {
+namespace {
+
+struct Options {
+  std::string scene, method, against, out, stats;
+  int depth = 0;  ///< 0: the scene's
+  Accel accel = Accel::bvh;
+  unsigned threads = default_threads();
+  std::size_t max_cases = 1000;
+};
+
+/// What --against found.
+struct Findings {
+  std::vector<DifferingPixel> pixels;
+  std::size_t colours = 0;               ///< pixels of another colour
+  std::array<std::size_t, 4> by_kind{};  ///< by the kind of ray on which the methods part, of the pixels examined
+  std::size_t examined = 0, order_only = 0;
+  std::vector<Case> cases;
+};
+
+Method method_named(const std::string& name) {
+  const std::vector<Method> methods = methods_named(name);
+  if (methods.size() != 1) throw Failure(Exit::usage, "expected one method, found \"" + name + "\"");
+  return methods.front();
+}
+
+/// "a/image.png" with ".diff.png" → "a/image.diff.png".
+std::string beside(const std::string& out, const char* suffix) {
+  return std::filesystem::path(out).replace_extension(suffix).string();
+}
+
+Findings examine(const World& world, const Method& a, const Method& b, const Rendering& ra, const Rendering& rb,
+                 int depth, std::size_t max_cases) {
+  Findings f;
+  f.pixels = differing_pixels(ra, rb);
+  for (const DifferingPixel& pixel : f.pixels) {
+    f.colours += pixel.colour_differs;
+    if (f.cases.size() == max_cases) continue;
+    const std::optional<Parting> parting = parting_at(world, a, b, pixel, depth);
+    if (!parting) continue;
+    ++f.examined;
+    ++f.by_kind[static_cast<std::size_t>(parting->kind)];
+    f.order_only += !parting->triangle;
+    if (parting->triangle) f.cases.push_back(to_case(world, a, b, pixel, *parting));
+  }
+  return f;
+}
+
+// --- what a program reads ----------------------------------------------------------------------------------------
+
+double share(std::uint64_t part, std::uint64_t whole) {
+  return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0;
+}
+
+Json to_json(const Method& method, const Tally& t) {
+  Json rays;
+  for (const RayKind k : all_ray_kinds) {
+    const auto i = static_cast<std::size_t>(k);
+    rays[std::string(name_of(k))] = {{"cast", t.rays[i]}, {"hit", t.ray_hits[i]}};
+  }
+  return {{"method", method.name},
+          {"rays", rays},
+          {"box_tests", t.box_tests},
+          {"triangle_tests", t.triangle_tests},
+          {"triangle_hits", t.triangle_hits},
+          {"hit_share", share(t.triangle_hits, t.triangle_tests)}};
+}
+
+Json to_json(const Findings& f, const Method& a, const Method& b) {
+  Json kinds;
+  for (const RayKind k : all_ray_kinds) kinds[std::string(name_of(k))] = f.by_kind[static_cast<std::size_t>(k)];
+  return {{"method", a.name},
+          {"against", b.name},
+          {"pixels", f.pixels.size()},
+          {"pixels_of_other_colour", f.colours},
+          {"examined", f.examined},
+          {"parted_on", kinds},
+          {"parted_on_order_only", f.order_only},
+          {"cases", f.cases.size()}};
+}
+
+std::string to_lines(const std::vector<Case>& cases) {
+  std::string lines;
+  for (const Case& c : cases) lines += from_case(c).dump() + "\n";
+  return lines;
+}
+
+// --- what a person reads -----------------------------------------------------------------------------------------
+
+std::string formatted(const char* format, auto... values) {
+  char line[400];
+  std::snprintf(line, sizeof line, format, values...);
+  return line;
+}
+
+unsigned long long whole(std::uint64_t n) { return n; }
+
+std::string describe(const World& world, const Options& o, int depth) {
+  const Camera& c = world.scene->camera;
+  std::string text = formatted("%s: %d x %d pixels, %zu solids, %zu triangles, %zu lights, depth %d, accel %s\n",
+                               o.scene.c_str(), c.width, c.height, world.scene->solids.size(), world.triangles.size(),
+                               world.scene->lights.size(), depth, std::string(name_of(o.accel)).c_str());
+  if (world.format == Format::binary32) {
+    text += "vertices and rays are rounded to binary32 before any method sees them: differences are the methods' own\n";
+  }
+  return text;
+}
+
+std::string table_head() {
+  return formatted("\n%-14s %9s %10s %11s %11s %12s %12s %7s %8s\n", "method", "primary", "shadow", "reflection",
+                   "refraction", "box tests", "tri tests", "hits", "seconds");
+}
+
+std::string table_row(const Method& m, const Rendering& r) {
+  const Tally& t = r.tally;
+  return formatted("%-14s %9llu %10llu %11llu %11llu %12llu %12llu %6.1f%% %8.2f\n", m.name.c_str(), whole(t.rays[0]),
+                   whole(t.rays[1]), whole(t.rays[2]), whole(t.rays[3]), whole(t.box_tests), whole(t.triangle_tests),
+                   100 * share(t.triangle_hits, t.triangle_tests), r.seconds);
+}
+
+std::string describe(const Findings& f, const Options& o, std::size_t pixels) {
+  std::string text = formatted("\n%s against %s: %zu of %zu pixels differ in colour, %zu in some decision\n",
+                               o.method.c_str(), o.against.c_str(), f.colours, pixels, f.pixels.size());
+  if (f.pixels.empty()) return text;
+  text += formatted("first parting on a ray that is: primary %zu, shadow %zu, reflection %zu, refraction %zu",
+                    f.by_kind[0], f.by_kind[1], f.by_kind[2], f.by_kind[3]);
+  text += formatted("; only the order of hits differs: %zu\n", f.order_only);
+  if (f.examined < f.pixels.size()) text += formatted("(of the first %zu pixels; see --max-cases)\n", f.examined);
+  return text;
+}
+
+// --- the command -------------------------------------------------------------------------------------------------
+
+int run(const Options& o) {
+  std::vector<Method> methods{method_named(o.method)};
+  if (!o.against.empty()) methods.push_back(method_named(o.against));
+  require_different(o.scene, o.out);
+  const Scene scene = read_scene(o.scene);
+  const auto is_binary32 = [](const Method& m) { return m.format == Format::binary32; };
+  const bool narrow = std::any_of(methods.begin(), methods.end(), is_binary32);
+  const World world = make_world(scene, narrow ? Format::binary32 : Format::binary64, o.accel);
+  const int depth = o.depth > 0 ? o.depth : scene.depth;
+
+  std::vector<Rendering> renderings;
+  for (const Method& m : methods) renderings.push_back(render(world, m, {depth, o.threads}));
+  Json stats = {{"scene", o.scene},
+                {"width", scene.camera.width},
+                {"height", scene.camera.height},
+                {"triangles", world.triangles.size()},
+                {"fmt", name_of(world.format)},
+                {"accel", name_of(o.accel)},
+                {"depth", depth}};
+  std::string report = describe(world, o, depth) + table_head();
+  for (std::size_t i = 0; i < methods.size(); ++i) {
+    stats["methods"].push_back(to_json(methods[i], renderings[i].tally));
+    report += table_row(methods[i], renderings[i]);
+  }
+  write_file(o.out, to_png(renderings[0].image));
+  std::string written = o.out;
+  if (methods.size() == 2) {
+    const Findings f = examine(world, methods[0], methods[1], renderings[0], renderings[1], depth, o.max_cases);
+    stats["difference"] = to_json(f, methods[0], methods[1]);
+    write_file(beside(o.out, ".diff.png"), to_png(difference_image(renderings[0].image, f.pixels)));
+    write_file(beside(o.out, ".cases.jsonl"), to_lines(f.cases));
+    report += describe(f, o, renderings[0].image.pixels.size());
+    written += ", " + beside(o.out, ".diff.png") + ", " + beside(o.out, ".cases.jsonl") + " (" +
+               std::to_string(f.cases.size()) + " cases)";
+  }
+  if (!o.stats.empty()) write_file(o.stats, stats.dump(2) + "\n");
+  print(report + "\nwritten: " + written + (o.stats.empty() ? "" : ", " + o.stats) + "\n");
+  return code(Exit::ok);
+}
+
+}  // namespace
+
+Action declare_render(CLI::App& app) {
+  const auto o = std::make_shared<Options>();
+  const std::map<std::string, Accel> accels{{"none", Accel::none}, {"boxes", Accel::boxes}, {"bvh", Accel::bvh}};
+  app.add_option("scene", o->scene, "scene file (JSON)")->required();
+  app.add_option("--method", o->method, "the method that decides what rays hit")->required();
+  app.add_option("--against", o->against, "a second method: report, draw and export the pixels that differ");
+  app.add_option("-o,--out", o->out, "image file (PNG)")->required();
+  app.add_option("--stats", o->stats, "counts of rays, tests and hits (JSON)");
+  app.add_option("--depth", o->depth, "generations of rays, instead of the scene's")->check(CLI::Range(1, 16));
+  app.add_option("--accel", o->accel, "none, boxes (one a solid) or bvh")
+      ->transform(CLI::CheckedTransformer(accels))
+      ->default_str("bvh");
+  app.add_option("--threads", o->threads, "worker threads")->check(CLI::Range(1u, 1024u))->capture_default_str();
+  app.add_option("--max-cases", o->max_cases, "at most so many cases with --against")->capture_default_str();
+  return [o] { return run(*o); };
+}
+
+}  // namespace tribunal

@@ -1,0 +1,38 @@
+// Where two methods' pictures of one world part, and why.
+#pragma once
+
+#include "exact/io/case_io.h"
+#include "tracer/render.h"
+
+namespace tribunal {
+
+/// A pixel on which the methods decided differently somewhere.
+struct DifferingPixel {
+  int column, row;
+  bool colour_differs;  ///< false: the decisions differ, but the colours round to the same
+};
+
+/// All of them in row order.
+std::vector<DifferingPixel> differing_pixels(const Rendering& a, const Rendering& b);
+
+/// The picture in dim grey, with pixels of another colour in magenta and those of other decisions only in yellow.
+Image difference_image(const Image& image, const std::vector<DifferingPixel>& pixels);
+
+/// The first decision of a pixel on which two methods part. They were asked the same question there.
+struct Parting {
+  RayKind kind;
+  Probe probe;
+  /// A triangle on which the methods' answers to this probe differ; empty if they agree on every triangle and part
+  /// only about which hit comes first.
+  std::optional<std::uint32_t> triangle;
+};
+
+/// Traces the pixel with both methods. Empty if they agree after all.
+std::optional<Parting> parting_at(const World& world, const Method& a, const Method& b, const DifferingPixel& pixel,
+                                  int depth);
+
+/// A self-contained case, "px-COLUMN-ROW-KIND-triID", that `replay` explains; `expect` is the exact answer. The
+/// parting must have a triangle.
+Case to_case(const World& world, const Method& a, const Method& b, const DifferingPixel& pixel, const Parting& parting);
+
+}  // namespace tribunal

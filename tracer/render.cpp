@@ -1,0 +1,51 @@
+#include "tracer/render.h"
+
+#include <csignal>
+
+#include "exact/harness/interrupt.h"
+#include "exact/harness/parallel.h"
+#include "exact/harness/progress.h"
+#include "exact/io/failure.h"
+#include "tracer/shading/camera_rays.h"
+
+namespace tribunal {
+namespace {
+
+void render_row(const World& world, const CameraRays& camera, int row, int depth, WhittedTracer& tracer,
+                Rendering& out) {
+  const std::size_t first = static_cast<std::size_t>(row) * static_cast<std::size_t>(world.scene->camera.width);
+  for (int column = 0; column < world.scene->camera.width; ++column) {
+    const std::size_t i = first + static_cast<std::size_t>(column);
+    out.image.pixels[i] = to_pixel(tracer.trace(camera.through(column, row), depth));
+    out.decisions[i] = tracer.take_hash();
+  }
+}
+
+}  // namespace
+
+Rendering render(const World& world, const Method& method, const RenderOptions& options) {
+  const Camera& camera = world.scene->camera;
+  const CameraRays rays(camera);
+  Rendering out{Image(camera.width, camera.height), {}, {}, 0};
+  out.decisions.resize(out.image.pixels.size());
+  const std::size_t rows = static_cast<std::size_t>(camera.height);
+  std::vector<Tally> tallies(options.threads);
+  std::vector<WhittedTracer> tracers;
+  for (Tally& tally : tallies) tracers.emplace_back(world, method, tally);
+
+  Progress progress(method.name, "rows", rows);
+  const auto work = [&](std::size_t row, unsigned worker) {
+    render_row(world, rays, static_cast<int>(row), options.depth, tracers[worker], out);
+    progress.add(1);
+  };
+  const std::size_t done = run_blocks(rows, options.threads, work, [] { return interrupted() != 0; });
+  if (done < rows || interrupted() != 0) {
+    throw Failure(interrupted() == SIGTERM ? Exit::terminated : Exit::interrupted,
+                  "render: interrupted, nothing written");
+  }
+  for (const Tally& tally : tallies) out.tally += tally;
+  out.seconds = progress.elapsed();
+  return out;
+}
+
+}  // namespace tribunal

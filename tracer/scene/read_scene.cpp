@@ -1,0 +1,251 @@
+#include "tracer/scene/read_scene.h"
+
+#include <cmath>
+#include <filesystem>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "exact/io/failure.h"
+#include "exact/io/files.h"
+#include "exact/io/json.h"
+#include "tracer/mesh/read_mesh.h"
+#include "tracer/mesh/triangulate.h"
+
+namespace tribunal {
+namespace {
+
+constexpr int max_side = 16384;
+constexpr long max_pixels = 1L << 26;
+constexpr double huge = std::numeric_limits<double>::max();
+
+double number_in(const Json& value, double lo, double hi, const Where& where) {
+  const double x = to_number(value, Format::binary64, where);
+  if (!(x >= lo && x <= hi)) {
+    const std::string range =
+        hi < huge ? "in " + Json(lo).dump() + ".." + Json(hi).dump() : "at least " + Json(lo).dump();
+    where.fail("expected a number " + range + ", found " + value.dump());
+  }
+  return x;
+}
+
+int integer_in(const Json& value, int lo, int hi, const Where& where) {
+  const double x = number_in(value, lo, hi, where);
+  if (x != std::floor(x)) where.fail("expected a whole number, found " + value.dump());
+  return static_cast<int>(x);
+}
+
+Point3 point_at(const Json& object, const char* key, const Where& where) {
+  return to_point(require(object, key, where), Format::binary64, where.key(key));
+}
+
+/// Reads an optional number into its default.
+void read_number(const Json& object, const char* key, double lo, double hi, double& x, const Where& where) {
+  if (object.contains(key)) x = number_in(object.at(key), lo, hi, where.key(key));
+}
+
+void read_colour(const Json& object, const char* key, double hi, Colour& c, const Where& where) {
+  if (!object.contains(key)) return;
+  const Json& value = object.at(key);
+  const Where here = where.key(key);
+  const std::string range = hi < huge ? "three numbers in 0..1" : "three numbers, 0 or more";
+  if (!value.is_array() || value.size() != 3) here.fail("expected " + range + ", found " + value.dump());
+  double channels[3];
+  for (std::size_t i = 0; i < 3; ++i) {
+    channels[i] = to_number(value[i], Format::binary64, here.index(i));
+    if (!(channels[i] >= 0 && channels[i] <= hi)) here.fail("expected " + range + ", found " + value.dump());
+  }
+  c = {channels[0], channels[1], channels[2]};
+}
+
+std::string text_at(const Json& value, const Where& where) {
+  if (!value.is_string()) where.fail("expected a text, found " + value.dump());
+  return value.get<std::string>();
+}
+
+const Json& array_at(const Json& object, const char* key, const Where& where) {
+  const Json& value = require(object, key, where);
+  if (!value.is_array()) where.key(key).fail("expected an array");
+  return value;
+}
+
+// --- camera ----------------------------------------------------------------------------------------------------
+
+/// v divided by its greatest coordinate, so that no product below overflows or vanishes.
+Point3 tamed(const Point3& v) {
+  const double size = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+  return size > 0 ? Point3(v.x / size, v.y / size, v.z / size) : v;
+}
+
+/// A frame is built from the cross product of view and up; closer to parallel than 2⁻⁴⁰ it would be noise.
+void require_frame(const Camera& c, const Where& where) {
+  const Point3 view = c.look_at - c.eye;
+  if (!is_finite(view)) where.fail("eye and look_at are too far apart");
+  if (view == Point3(0)) where.fail("singular camera: expected look_at to differ from eye");
+  if (c.up == Point3(0)) where.key("up").fail("singular camera: expected a direction, found [0,0,0]");
+  const Point3 v = tamed(view), u = tamed(c.up);
+  if (glm::length(glm::cross(v, u)) <= 0x1p-40 * glm::length(v) * glm::length(u)) {
+    where.key("up").fail("singular camera: expected a direction that is not parallel to the view");
+  }
+}
+
+double view_height_of(const Json& object, const Where& where) {
+  if (object.contains("fov") == object.contains("view_height")) {
+    where.fail("expected either \"fov\" in degrees or \"view_height\" at unit distance");
+  }
+  if (object.contains("fov")) {
+    const double degrees = number_in(object.at("fov"), 0, 180, where.key("fov"));
+    if (!(degrees > 0 && degrees < 180)) where.key("fov").fail("expected degrees between 0 and 180, exclusive");
+    return 2 * std::tan(degrees * (std::numbers::pi / 360));
+  }
+  const double height = number_in(object.at("view_height"), 0, 1e6, where.key("view_height"));
+  if (height == 0) where.key("view_height").fail("expected a number greater than 0");
+  return height;
+}
+
+Camera to_camera(const Json& object, const Where& where) {
+  require_keys(object, {"eye", "look_at", "up", "fov", "view_height", "width", "height"}, where);
+  Camera c;
+  c.eye = point_at(object, "eye", where);
+  c.look_at = point_at(object, "look_at", where);
+  c.up = point_at(object, "up", where);
+  c.view_height = view_height_of(object, where);
+  c.width = integer_in(require(object, "width", where), 1, max_side, where.key("width"));
+  c.height = integer_in(require(object, "height", where), 1, max_side, where.key("height"));
+  if (static_cast<long>(c.width) * c.height > max_pixels) where.fail("expected at most 2^26 pixels in all");
+  require_frame(c, where);
+  return c;
+}
+
+// --- solids ----------------------------------------------------------------------------------------------------
+
+std::vector<std::size_t> to_ring(const Json& value, std::size_t vertices, const Where& where) {
+  if (!value.is_array() || value.size() < 3) where.fail("expected an array of at least 3 vertex indices");
+  std::vector<std::size_t> ring;
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    const bool known = value[i].is_number_unsigned() && value[i].get<std::uint64_t>() < vertices;
+    if (!known)
+      where.index(i).fail("expected a vertex index from 0 to " + std::to_string(vertices - 1) + ", found " +
+                          value[i].dump());
+    ring.push_back(value[i].get<std::size_t>());
+  }
+  return ring;
+}
+
+Mesh inline_mesh(const Json& object, const Where& where) {
+  PolygonSoup soup;
+  const Json& vertices = array_at(object, "vertices", where);
+  const Json& faces = array_at(object, "faces", where);
+  if (vertices.empty()) where.key("vertices").fail("expected at least one point");
+  if (faces.empty()) where.key("faces").fail("expected at least one face");
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    soup.points.push_back(to_point(vertices[i], Format::binary64, where.key("vertices").index(i)));
+  }
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    soup.polygons.push_back(to_ring(faces[i], vertices.size(), where.key("faces").index(i)));
+  }
+  return triangulate(soup, where.file + ": " + where.key("faces").path);
+}
+
+Mesh to_mesh(const Json& object, const Where& where) {
+  if (object.contains("mesh") == object.contains("vertices")) {
+    where.fail("expected either \"mesh\" or \"vertices\" and \"faces\"");
+  }
+  if (!object.contains("mesh")) return inline_mesh(object, where);
+  if (object.contains("faces")) where.key("faces").fail("expected no faces beside \"mesh\"");
+  const std::filesystem::path path = text_at(object.at("mesh"), where.key("mesh"));
+  return read_mesh((std::filesystem::path(where.file).parent_path() / path).string());
+}
+
+Point3 scale_of(const Json& object, const Where& where) {
+  if (!object.contains("scale")) return Point3(1);
+  const Json& value = object.at("scale");
+  const Where here = where.key("scale");
+  const Point3 s =
+      value.is_array() ? to_point(value, Format::binary64, here) : Point3(to_number(value, Format::binary64, here));
+  if (s.x == 0 || s.y == 0 || s.z == 0) here.fail("expected numbers other than 0");
+  return s;
+}
+
+/// Scales, then translates. A mirroring turns the faces over, so that their normals keep pointing outward.
+void place(const Json& object, Mesh& mesh, const Where& where) {
+  const Point3 scale = scale_of(object, where);
+  const Point3 shift = object.contains("translate") ? point_at(object, "translate", where) : Point3(0);
+  for (Point3& v : mesh.vertices) {
+    v = v * scale + shift;
+    if (!is_finite(v)) where.fail("scale and translate leave binary64, expected finite vertices");
+  }
+  const bool mirrored = ((scale.x < 0) != (scale.y < 0)) != (scale.z < 0);
+  if (!mirrored) return;
+  for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
+}
+
+Material to_material(const Json& object, const Where& where) {
+  Material m;
+  read_colour(object, "colour", 1, m.colour, where);
+  read_number(object, "ambient", 0, 1, m.ambient, where);
+  read_number(object, "diffuse", 0, 1, m.diffuse, where);
+  read_number(object, "specular", 0, 1, m.specular, where);
+  read_number(object, "shininess", 0, 10000, m.shininess, where);
+  read_number(object, "reflection", 0, 1, m.reflection, where);
+  read_number(object, "transparency", 0, 1, m.transparency, where);
+  read_number(object, "refractive_index", 0, 1000, m.refractive_index, where);
+  if (m.refractive_index == 0) where.key("refractive_index").fail("expected a number greater than 0");
+  return m;
+}
+
+Solid to_solid(const Json& object, std::size_t number, const Where& where) {
+  require_keys(object,
+               {"name", "mesh", "vertices", "faces", "scale", "translate", "colour", "ambient", "diffuse", "specular",
+                "shininess", "reflection", "transparency", "refractive_index"},
+               where);
+  Solid s;
+  s.name = object.contains("name") ? text_at(object.at("name"), where.key("name")) : "solid " + std::to_string(number);
+  s.material = to_material(object, where);
+  s.mesh = to_mesh(object, where);
+  place(object, s.mesh, where);
+  return s;
+}
+
+Light to_light(const Json& object, const Where& where) {
+  require_keys(object, {"position", "colour"}, where);
+  Light light{point_at(object, "position", where), {1, 1, 1}};
+  read_colour(object, "colour", huge, light.colour, where);
+  return light;
+}
+
+Scene to_scene(const Json& object, const Where& where) {
+  require_keys(object, {"description", "camera", "solids", "lights", "background", "depth", "bias"}, where);
+  Scene scene;
+  scene.file = where.file;
+  scene.camera = to_camera(require(object, "camera", where), where.key("camera"));
+  read_colour(object, "background", 1, scene.background, where);
+  if (object.contains("description")) text_at(object.at("description"), where.key("description"));
+  if (object.contains("depth")) scene.depth = integer_in(object.at("depth"), 1, 16, where.key("depth"));
+  read_number(object, "bias", 0, 0.01, scene.bias, where);
+  const Json& solids = array_at(object, "solids", where);
+  if (solids.empty()) where.key("solids").fail("expected at least one solid");
+  for (std::size_t i = 0; i < solids.size(); ++i) {
+    scene.solids.push_back(to_solid(solids[i], i, where.key("solids").index(i)));
+  }
+  if (!object.contains("lights")) return scene;
+  const Json& lights = array_at(object, "lights", where);
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    scene.lights.push_back(to_light(lights[i], where.key("lights").index(i)));
+  }
+  return scene;
+}
+
+}  // namespace
+
+Scene parse_scene(const std::string& text, const std::string& path) {
+  const Where where{path};
+  return to_scene(parse_json(text, where), where);
+}
+
+Scene read_scene(const std::string& path) {
+  const std::string text = read_file(path, std::size_t{1} << 30);
+  if (text.empty()) throw bad_input(path, 0, "is empty, expected a scene");
+  return parse_scene(text, path);
+}
+
+}  // namespace tribunal

@@ -1,0 +1,32 @@
+#include "tracer/shading/camera_rays.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace tribunal {
+
+Point3 normalised(const Point3& v) {
+  const double size = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+  if (!(size > 0)) return v;
+  const Point3 tamed(v.x / size, v.y / size, v.z / size);
+  return tamed / std::sqrt(glm::dot(tamed, tamed));
+}
+
+CameraRays::CameraRays(const Camera& c)
+    : eye_(c.eye),
+      forward_(normalised(c.look_at - c.eye)),
+      pixel_(c.view_height / c.height),
+      width_(c.width),
+      height_(c.height) {
+  right_ = normalised(glm::cross(forward_, normalised(c.up)));
+  up_ = glm::cross(right_, forward_);
+}
+
+Ray CameraRays::through(int column, int row) const {
+  const double x = 0.5 * pixel_ * (2 * column + 1 - width_);
+  const double y = 0.5 * pixel_ * (height_ - 1 - 2 * row);
+  return {eye_, {forward_ + x * right_ + y * up_}};
+}
+
+}  // namespace tribunal

@@ -1,0 +1,25 @@
+// From pixels to primary rays.
+#pragma once
+
+#include "tracer/scene/scene.h"
+
+namespace tribunal {
+
+/// One ray through the centre of each pixel, pixel (0,0) at the upper left. The direction is
+/// forward + x·right + y·up with orthonormal vectors, not normalised. For a camera along an axis and dyadic view_height
+/// / height all of this is exact, so that scenes can put vertices and edges exactly under rays.
+class CameraRays {
+ public:
+  explicit CameraRays(const Camera& c);
+  Ray through(int column, int row) const;
+
+ private:
+  Point3 eye_, forward_, right_, up_;
+  double pixel_;  ///< side of a pixel at unit distance
+  int width_, height_;
+};
+
+/// v / |v|, without overflow or underflow on the way; the zero vector stays.
+Point3 normalised(const Point3& v);
+
+}  // namespace tribunal

@@ -1,0 +1,116 @@
+#include "tracer/shading/whitted.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "tracer/shading/camera_rays.h"
+
+namespace tribunal {
+namespace {
+
+/// The normal that sees the corners counter-clockwise; zero for a face that rounds to no area.
+Point3 face_normal(const Triangle& t) { return normalised(glm::cross(normalised(t.b - t.a), normalised(t.c - t.a))); }
+
+/// The hit point is in the triangle's box, so the computed one is moved there; a parameter that is not a number (a
+/// method may report hits that no formula confirms) leads to the box's corner.
+Point3 hit_point(const Ray& r, const Triangle& t) {
+  const double parameter = shading_parameter(r, t);
+  const Point3 p = r.o + parameter * r.d.v;
+  const Box b = box_of(t);
+  Point3 inside = b.lo;
+  for (int i = 0; i < 3; ++i) {
+    if (p[i] > b.lo[i]) inside[i] = std::min(p[i], b.hi[i]);
+  }
+  return inside;
+}
+
+Point3 mirrored(const Point3& v, const Point3& normal) { return 2 * glm::dot(v, normal) * normal - v; }
+
+/// One step of splitmix64, a bijection of the sum.
+std::uint64_t mixed(std::uint64_t hash, std::uint64_t value) {
+  std::uint64_t z = hash + value + 0x9e3779b97f4a7c15u;
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+  return z ^ (z >> 31);
+}
+
+}  // namespace
+
+std::optional<Point3> refract(const Point3& view, const Point3& normal, double eta) {
+  const double cosine = glm::dot(view, normal);
+  const double k = 1 - eta * eta * (1 - cosine * cosine);
+  if (k < 0) return std::nullopt;
+  return -eta * view + (eta * cosine - std::sqrt(k)) * normal;
+}
+
+std::uint64_t WhittedTracer::take_hash() { return std::exchange(hash_, 0); }
+
+void WhittedTracer::note(RayKind kind, const Probe& probe, std::int64_t outcome, bool hit) {
+  const auto k = static_cast<std::size_t>(kind);
+  ++tally_.rays[k];
+  tally_.ray_hits[k] += hit;
+  hash_ = mixed(hash_, static_cast<std::uint64_t>(outcome));
+  if (log_) log_->push_back({kind, probe, outcome});
+}
+
+Colour WhittedTracer::trace(const Ray& wanted, RayKind kind, int depth) {
+  const Ray ray{in_format(wanted.o, world_.format), {in_format(wanted.d.v, world_.format)}};
+  const std::optional<std::uint32_t> hit = visibility_.first_hit(ray);
+  note(kind, ray, hit ? std::int64_t{*hit} : -1, hit.has_value());
+  return hit ? shade(surface_at(ray, *hit), depth) : world_.scene->background;
+}
+
+WhittedTracer::Surface WhittedTracer::surface_at(const Ray& ray, std::uint32_t id) const {
+  const Triangle& t = world_.triangles[id];
+  const Point3 view = normalised(-ray.d.v);
+  const Point3 normal = face_normal(t);
+  const bool from_outside = glm::dot(normal, view) >= 0;
+  const bool has_normal = normal != Point3(0);
+  return {hit_point(ray, t),
+          !has_normal    ? view
+          : from_outside ? normal
+                         : -normal,
+          view, from_outside, world_.material_of(id)};
+}
+
+/// `side` = 1 on the viewer's side of the surface, −1 on the other.
+Point3 WhittedTracer::start(const Surface& s, double side) const { return s.point + side * world_.step * s.normal; }
+
+Colour WhittedTracer::shade(const Surface& s, int depth) {
+  const Material& m = s.material;
+  Colour colour = m.ambient * m.colour;
+  for (const Light& light : world_.scene->lights) colour += light_on(s, light);
+  if (depth <= 1) return colour;
+  if (m.reflection > 0) colour += m.reflection * reflected(s, RayKind::reflection, depth);
+  if (m.transparency > 0) colour += m.transparency * refracted(s, depth);
+  return colour;
+}
+
+Colour WhittedTracer::light_on(const Surface& s, const Light& light) {
+  const Point3 to_light = normalised(light.position - s.point);
+  const double cosine = glm::dot(to_light, s.normal);
+  if (!(cosine > 0)) return {};
+  const Segment way{in_format(start(s, 1), world_.format), in_format(light.position, world_.format)};
+  const bool blocked = visibility_.is_blocked(way);
+  note(RayKind::shadow, way, blocked, blocked);
+  if (blocked) return {};
+  const Material& m = s.material;
+  const double shine = std::max(0.0, glm::dot(mirrored(to_light, s.normal), s.view));
+  Colour colour = m.diffuse * cosine * (m.colour * light.colour);
+  colour += m.specular * std::pow(shine, m.shininess) * light.colour;
+  return colour;
+}
+
+Colour WhittedTracer::reflected(const Surface& s, RayKind kind, int depth) {
+  return trace({start(s, 1), {mirrored(s.view, s.normal)}}, kind, depth - 1);
+}
+
+/// Total internal reflection sends the refracted share back inside.
+Colour WhittedTracer::refracted(const Surface& s, int depth) {
+  const double eta = s.from_outside ? 1 / s.material.refractive_index : s.material.refractive_index;
+  const std::optional<Point3> direction = refract(s.view, s.normal, eta);
+  if (!direction) return reflected(s, RayKind::reflection, depth);
+  return trace({start(s, -1), {*direction}}, RayKind::refraction, depth - 1);
+}
+
+}  // namespace tribunal

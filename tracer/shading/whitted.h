@@ -1,0 +1,60 @@
+// Whitted's recursion. Source: Whitted, "An improved illumination model for shaded display", CACM 23(6), 1980;
+// Phong, "Illumination for computer generated pictures", CACM 18(6), 1975.
+//
+// All decisions (hit, nearer, blocked) are the method's. All constructions (point, normal, colour, the next ray) are
+// double arithmetic, the same lines for every method. So two methods get the same pixel unless they decide
+// differently somewhere, and at the first such place they were asked the same question.
+//
+// Secondary rays start at the hit point moved along the normal by World::step, the customary constant bias. It can
+// be wrong, as it is everywhere: too small, and a surface shadows itself; too large, and light leaks through corners.
+// Issue E replaces it, for exact methods, by starts that are proved right.
+#pragma once
+
+#include <vector>
+
+#include "tracer/shading/visibility.h"
+
+namespace tribunal {
+
+/// Traces rays of one world with one method. One object a thread.
+class WhittedTracer {
+ public:
+  /// If `log` is given, every decision is appended to it.
+  WhittedTracer(const World& world, const Method& method, Tally& tally, std::vector<Decision>* log = nullptr)
+      : world_(world), visibility_(world, method, tally), tally_(tally), log_(log) {}
+
+  /// Light that arrives along a primary ray, with this many generations of rays.
+  Colour trace(const Ray& primary, int depth) { return trace(primary, RayKind::primary, depth); }
+
+  /// A hash of the outcomes of all decisions since the last call.
+  std::uint64_t take_hash();
+
+ private:
+  /// What shading knows of a hit. `normal` faces the viewer.
+  struct Surface {
+    Point3 point, normal, view;
+    bool from_outside;
+    const Material& material;
+  };
+
+  Colour trace(const Ray& ray, RayKind kind, int depth);
+  Surface surface_at(const Ray& ray, std::uint32_t id) const;
+  Colour shade(const Surface& s, int depth);
+  Colour light_on(const Surface& s, const Light& light);
+  Colour reflected(const Surface& s, RayKind kind, int depth);
+  Colour refracted(const Surface& s, int depth);
+  Point3 start(const Surface& s, double side) const;
+  void note(RayKind kind, const Probe& probe, std::int64_t outcome, bool hit);
+
+  const World& world_;
+  Visibility visibility_;
+  Tally& tally_;
+  std::vector<Decision>* log_;
+  std::uint64_t hash_ = 0;
+};
+
+/// The direction of a refracted ray, or nothing under total internal reflection. `view` and `normal` are unit vectors
+/// that face each other's way (view·normal ≥ 0); `eta` is the refractive index on the viewer's side over the other.
+std::optional<Point3> refract(const Point3& view, const Point3& normal, double eta);
+
+}  // namespace tribunal

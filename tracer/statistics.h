@@ -1,0 +1,43 @@
+// What a render counts.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace tribunal {
+
+enum class RayKind : std::uint8_t { primary, shadow, reflection, refraction };
+
+inline constexpr RayKind all_ray_kinds[] = {RayKind::primary, RayKind::shadow, RayKind::reflection,
+                                            RayKind::refraction};
+
+constexpr std::string_view name_of(RayKind k) {
+  constexpr std::string_view names[] = {"primary", "shadow", "reflection", "refraction"};
+  return names[static_cast<int>(k)];
+}
+
+/// Counts of one thread; the caller owns them and adds them up. Indexed by RayKind where there are four.
+struct Tally {
+  std::array<std::uint64_t, 4> rays{};      ///< rays cast; a shadow ray is a segment
+  std::array<std::uint64_t, 4> ray_hits{};  ///< of these, those that met something
+  std::uint64_t box_tests = 0;
+  std::uint64_t triangle_tests = 0;
+  std::uint64_t triangle_hits = 0;
+
+  Tally& operator+=(const Tally& t) {
+    for (std::size_t k = 0; k < rays.size(); ++k) {
+      rays[k] += t.rays[k];
+      ray_hits[k] += t.ray_hits[k];
+    }
+    box_tests += t.box_tests;
+    triangle_tests += t.triangle_tests;
+    triangle_hits += t.triangle_hits;
+    return *this;
+  }
+
+  std::uint64_t all_rays() const { return rays[0] + rays[1] + rays[2] + rays[3]; }
+};
+
+}  // namespace tribunal
