@@ -1,6 +1,7 @@
 // Segura–Feito on CGAL's Exact_predicates_exact_constructions_kernel: lazy exact numbers throughout.
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
+#include "exact/kernels/cgal_kernels.h"
 #include "exact/kernels/exact_methods.h"
 #include "exact/kernels/segura_feito_method.h"
 
@@ -35,36 +36,31 @@ HitParameter<Epeck::FT> parameter(const Ray& r, const Triangle& t) {
   return {det3<Epeck::FT>(u, v, exact(r.o) - a), -det3<Epeck::FT>(u, v, exact(r.d.v))};
 }
 
-struct EpeckKernel {
-  Sign orient3d(const Point3& a, const Point3& b, const Point3& c, const Point3& x) const {
-    return ours(CGAL::orientation(cgal(a), cgal(b), cgal(c), cgal(x)));
-  }
-  Sign orient3d(const Point3& a, const Point3& b, const Point3& c, const Direction& d) const {
-    const Epeck::Point_3 o = cgal(a);
-    return ours(CGAL::orientation(cgal(b) - o, cgal(c) - o, cgal(d)));
-  }
-  Sign orient2d(Axis dropped, const Point3& a, const Point3& b, const Point3& x) const {
-    return ours(CGAL::orientation(point2(a, dropped), point2(b, dropped), point2(x, dropped)));
-  }
-  Sign orient2d(Axis dropped, const Point3& a, const Point3& b, const Direction& d) const {
-    return ours(CGAL::orientation(point2(b, dropped) - point2(a, dropped), vector2(d, dropped)));
-  }
-  template <class X>
-  Sign compare(Axis axis, const Point3& a, const X& x) const {
-    return FormulaKernel<double>{}.compare(axis, a, x);  // the sign of one rounded difference is exact
-  }
-  Sign compare_hits(const Ray& r, const Triangle& s, const Triangle& t) const {
-    const HitParameter<Epeck::FT> f = parameter(r, s);
-    const HitParameter<Epeck::FT> g = parameter(r, t);
-    const Epeck::FT difference = f.num * g.den - g.num * f.den;
-    return ours(CGAL::sign(difference)) * ours(CGAL::sign(f.den)) * ours(CGAL::sign(g.den));
-  }
-};
-
-static_assert(Kernel<EpeckKernel>);
-
 }  // namespace
 
+Sign EpeckKernel::orient3d(const Point3& a, const Point3& b, const Point3& c, const Point3& x) const {
+  return ours(CGAL::orientation(cgal(a), cgal(b), cgal(c), cgal(x)));
+}
+
+Sign EpeckKernel::orient3d(const Point3& a, const Point3& b, const Point3& c, const Direction& d) const {
+  const Epeck::Point_3 o = cgal(a);
+  return ours(CGAL::orientation(cgal(b) - o, cgal(c) - o, cgal(d)));
+}
+
+Sign EpeckKernel::orient2d(Axis dropped, const Point3& a, const Point3& b, const Point3& x) const {
+  return ours(CGAL::orientation(point2(a, dropped), point2(b, dropped), point2(x, dropped)));
+}
+
+Sign EpeckKernel::orient2d(Axis dropped, const Point3& a, const Point3& b, const Direction& d) const {
+  return ours(CGAL::orientation(point2(b, dropped) - point2(a, dropped), vector2(d, dropped)));
+}
+
+Sign EpeckKernel::compare_hits(const Ray& r, const Triangle& s, const Triangle& t) const {
+  const HitParameter<Epeck::FT> f = parameter(r, s);
+  const HitParameter<Epeck::FT> g = parameter(r, t);
+  const Epeck::FT difference = f.num * g.den - g.num * f.den;
+  return ours(CGAL::sign(difference)) * ours(CGAL::sign(f.den)) * ours(CGAL::sign(g.den));
+}
 Method sf_epeck() {
   return segura_feito_method({.name = "sf-epeck",
                               .number = "CGAL lazy exact numbers",

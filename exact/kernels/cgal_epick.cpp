@@ -4,6 +4,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Filtered_predicate.h>
 
+#include "exact/kernels/cgal_kernels.h"
 #include "exact/kernels/exact_methods.h"
 #include "exact/kernels/segura_feito_method.h"
 
@@ -87,32 +88,27 @@ Epick::Point_2 flat(const Point3& p, Axis dropped) {
 
 Sign ours(CGAL::Sign s) { return static_cast<Sign>(static_cast<int>(s)); }
 
-struct EpickKernel {
-  Sign orient3d(const Point3& a, const Point3& b, const Point3& c, const Point3& x) const {
-    return ours(CGAL::orientation(cgal(a), cgal(b), cgal(c), cgal(x)));
-  }
-  Sign orient3d(const Point3& a, const Point3& b, const Point3& c, const Direction& d) const {
-    return ours(Filtered<VolumeToward>()(cgal(a), cgal(b), cgal(c), cgal(d)));
-  }
-  Sign orient2d(Axis dropped, const Point3& a, const Point3& b, const Point3& x) const {
-    return ours(CGAL::orientation(flat(a, dropped), flat(b, dropped), flat(x, dropped)));
-  }
-  Sign orient2d(Axis dropped, const Point3& a, const Point3& b, const Direction& d) const {
-    return ours(Filtered<AreaToward>()(static_cast<int>(dropped), cgal(a), cgal(b), cgal(d)));
-  }
-  template <class X>
-  Sign compare(Axis axis, const Point3& a, const X& x) const {
-    return FormulaKernel<double>{}.compare(axis, a, x);  // the sign of one rounded difference is exact
-  }
-  Sign compare_hits(const Ray& r, const Triangle& s, const Triangle& t) const {
-    return ours(Filtered<OrderOfHits>()(cgal(r.o), cgal(r.d), cgal(s), cgal(t)));
-  }
-};
-
-static_assert(Kernel<EpickKernel>);
-
 }  // namespace
 
+Sign EpickKernel::orient3d(const Point3& a, const Point3& b, const Point3& c, const Point3& x) const {
+  return ours(CGAL::orientation(cgal(a), cgal(b), cgal(c), cgal(x)));
+}
+
+Sign EpickKernel::orient3d(const Point3& a, const Point3& b, const Point3& c, const Direction& d) const {
+  return ours(Filtered<VolumeToward>()(cgal(a), cgal(b), cgal(c), cgal(d)));
+}
+
+Sign EpickKernel::orient2d(Axis dropped, const Point3& a, const Point3& b, const Point3& x) const {
+  return ours(CGAL::orientation(flat(a, dropped), flat(b, dropped), flat(x, dropped)));
+}
+
+Sign EpickKernel::orient2d(Axis dropped, const Point3& a, const Point3& b, const Direction& d) const {
+  return ours(Filtered<AreaToward>()(static_cast<int>(dropped), cgal(a), cgal(b), cgal(d)));
+}
+
+Sign EpickKernel::compare_hits(const Ray& r, const Triangle& s, const Triangle& t) const {
+  return ours(Filtered<OrderOfHits>()(cgal(r.o), cgal(r.d), cgal(s), cgal(t)));
+}
 Method sf_epick() {
   return segura_feito_method({.name = "sf-epick",
                               .number = "CGAL filtered predicates",

@@ -4,11 +4,15 @@
 
 #include <gmpxx.h>
 
+#include <optional>
+#include <utility>
+
 #include "core/sign.h"
 
 namespace tribunal {
 
-/// The exact number m·2^e. Not normalised: 2·2⁰ and 1·2¹ are the same number.
+/// The exact number m·2^e. Not normalised: 2·2⁰ and 1·2¹ are the same number. While m fits a machine word it is kept
+/// in one, and an operation that would overflow it goes to GMP instead.
 /// Laws: conversion from a finite double is exact; +, −, × are exact; a double survives the round trip.
 class Dyadic {
  public:
@@ -19,18 +23,26 @@ class Dyadic {
 
   friend Dyadic operator+(const Dyadic& a, const Dyadic& b);
   friend Dyadic operator-(const Dyadic& a, const Dyadic& b);
-  friend Dyadic operator*(const Dyadic& a, const Dyadic& b) { return Dyadic(a.m_ * b.m_, a.e_ + b.e_); }
-  friend Dyadic operator-(const Dyadic& a) { return Dyadic(-a.m_, a.e_); }
+  friend Dyadic operator*(const Dyadic& a, const Dyadic& b);
+  friend Dyadic operator-(const Dyadic& a) { return Dyadic() - a; }
 
-  friend Sign sign_of(const Dyadic& a) { return static_cast<Sign>(sgn(a.m_)); }
+  friend Sign sign_of(const Dyadic& a) { return a.big_ ? static_cast<Sign>(sgn(*a.big_)) : sign_of(a.word_); }
 
   /// The same number as a canonical fraction.
   mpq_class fraction() const;
 
  private:
-  Dyadic(mpz_class m, long e) : m_(std::move(m)), e_(e) {}
+  Dyadic(long word, long e) : word_(word), e_(e) {}
+  Dyadic(mpz_class m, long e) : big_(std::move(m)), e_(e) {}
 
-  mpz_class m_;
+  /// m as a GMP integer: itself if it is one, else made in `scratch`.
+  const mpz_class& integer(mpz_class& scratch) const;
+
+  /// m·2^(e − lower), for lower ≤ e.
+  const mpz_class& aligned_to(long lower, mpz_class& scratch) const;
+
+  long word_ = 0;                 ///< m, unless it is big
+  std::optional<mpz_class> big_;  ///< m, if it does not fit a word
   long e_ = 0;
 };
 

@@ -55,7 +55,7 @@ int best_cut(const std::array<Bin, bins>& bin) {
 BoxTree::BoxTree(Accel mode, std::span<const Triangle> triangles, std::span<const std::uint32_t> solid_of)
     : ids_(triangles.size()) {
   std::iota(ids_.begin(), ids_.end(), 0u);
-  nodes_.push_back({.first = 0, .count = static_cast<std::uint32_t>(triangles.size()), .leaf = true});
+  nodes_.push_back({Box(), 0, static_cast<std::uint32_t>(triangles.size()), true});
   if (mode == Accel::none) return;
   boxes_.reserve(triangles.size());
   for (const Triangle& t : triangles) boxes_.push_back(box_of(t));
@@ -77,7 +77,7 @@ void BoxTree::make_solid_boxes(std::span<const std::uint32_t> solid_of) {
     nodes_.push_back({box_of_ids(first, end - first), first, end - first, true});
     first = end;
   }
-  nodes_[0] = {.first = 1, .count = static_cast<std::uint32_t>(nodes_.size() - 1), .leaf = false};
+  nodes_[0] = {Box(), 1, static_cast<std::uint32_t>(nodes_.size() - 1), false};
 }
 
 /// Splits a leaf in two along the longest extent of the centres, by cost or, where that fails, in the middle.

@@ -1,0 +1,185 @@
+// No boxes, object boxes and the tree give the same answers on the nastiest scenes we know.
+#include <cmath>
+
+#include "tests/tracer/support.h"
+#include "tracer/shading/visibility.h"
+
+namespace tribunal {
+namespace {
+
+using testing::method;
+using testing::Random;
+
+/// An octahedron: rays at its corners meet four faces at once.
+Solid octahedron(const Point3& centre, double size) {
+  Solid s;
+  for (const double side : {-1.0, 1.0}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      Point3 v(0);
+      v[axis] = side * size;
+      s.mesh.vertices.push_back(centre + v);
+    }
+  }
+  for (std::uint32_t x : {0u, 3u}) {
+    for (std::uint32_t y : {1u, 4u}) {
+      for (std::uint32_t z : {2u, 5u}) s.mesh.triangles.push_back({x, y, z});
+    }
+  }
+  return s;
+}
+
+/// A soup of lattice triangles, some without area: full of axis-parallel faces, shared planes and repeated corners.
+Solid lattice_soup(Random& random, const Point3& offset, double scale, int triangles) {
+  Solid s;
+  for (int i = 0; i < 3 * triangles; ++i) {
+    const int x = random.within(0, 4), y = random.within(0, 4), z = random.within(0, 4);
+    s.mesh.vertices.push_back(offset + scale * Point3(x, y, z));
+  }
+  for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(triangles); ++i) {
+    s.mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  return s;
+}
+
+Solid slivers(Random& random, const Point3& offset, int triangles) {
+  Solid s;
+  for (int i = 0; i < triangles; ++i) {
+    const Point3 a = offset + random.point(4);
+    const Point3 b = offset + random.point(4);
+    s.mesh.vertices.insert(s.mesh.vertices.end(), {a, b, 0.5 * (a + b) + random.point(0x1p-30)});
+    const std::uint32_t first = 3 * static_cast<std::uint32_t>(i);
+    s.mesh.triangles.push_back({first, first + 1, first + 2});
+  }
+  return s;
+}
+
+Scene nasty_scene(std::uint64_t seed) {
+  constexpr double offsets[] = {0, 1, 0x1p20, 0x1p40};
+  Random random(seed);
+  const double offset = offsets[seed % 4];
+  const Point3 o(offset, -offset, offset);
+  Scene scene;
+  scene.solids = {octahedron(o, 4), lattice_soup(random, o, 1, 40), slivers(random, o, 30),
+                  lattice_soup(random, o - Point3(2, 2, 2), 1, 20)};
+  scene.solids.push_back(scene.solids[1]);  // every triangle of the soup twice: ties
+  return scene;
+}
+
+/// Aimed at vertices, edge midpoints and points of faces; along axes, from corners, in face planes.
+Ray aimed(Random& random, const std::vector<Triangle>& triangles) {
+  const Triangle& t = triangles[random.below(triangles.size())];
+  const Triangle& u = triangles[random.below(triangles.size())];
+  const Point3 targets[] = {t.a, 0.5 * (t.a + t.b), t.a + 0.25 * (t.b - t.a) + 0.25 * (t.c - t.a), t.b};
+  const Point3 target = targets[random.below(4)];
+  const Point3 corner = u.a;
+  const Point3 elsewhere = target + random.point(16);
+  Point3 axis(0.0);
+  axis[static_cast<int>(random.below(3))] = random.below(2) == 0 ? 1.0 : -1.0;
+  if (random.below(2) == 0) axis = Point3(axis.x == 0 ? -0.0 : axis.x, axis.y == 0 ? -0.0 : axis.y, axis.z);
+  switch (random.below(4)) {
+    case 0:
+      return {target - 8.0 * axis, {axis}};
+    case 1:
+      return {corner, {target - corner}};
+    case 2:
+      return {elsewhere, {target - elsewhere}};
+    default:
+      return {t.b, {t.a - t.b}};
+  }
+}
+
+struct Worlds {
+  explicit Worlds(const Scene& scene)
+      : none(make_world(scene, Format::binary64, Accel::none)),
+        boxes(make_world(scene, Format::binary64, Accel::boxes)),
+        bvh(make_world(scene, Format::binary64, Accel::bvh)) {}
+  World none, boxes, bvh;
+};
+
+TEST(BoxTree, FirstHitIsThatOfBruteForce) {
+  const Method& m = method("sf-epeck");
+  Tally tally;
+  int hits = 0;
+  for (std::uint64_t seed = 0; seed < 8; ++seed) {
+    const Scene scene = nasty_scene(seed);
+    const Worlds w(scene);
+    Visibility brute(w.none, m, tally), boxed(w.boxes, m, tally), tree(w.bvh, m, tally);
+    Random random(seed + 100);
+    for (int i = 0; i < 400; ++i) {
+      const Ray ray = aimed(random, w.none.triangles);
+      const auto expected = brute.first_hit(ray);
+      hits += expected.has_value();
+      ASSERT_EQ(expected, boxed.first_hit(ray)) << "seed " << seed << " ray " << i;
+      ASSERT_EQ(expected, tree.first_hit(ray)) << "seed " << seed << " ray " << i;
+    }
+  }
+  EXPECT_GT(hits, 1500);
+}
+
+TEST(BoxTree, ShadowsAreThoseOfBruteForce) {
+  const Method& m = method("sf-epeck");
+  Tally tally;
+  int blocked = 0;
+  for (std::uint64_t seed = 0; seed < 8; ++seed) {
+    const Scene scene = nasty_scene(seed);
+    const Worlds w(scene);
+    Visibility brute(w.none, m, tally), boxed(w.boxes, m, tally), tree(w.bvh, m, tally);
+    Random random(seed + 200);
+    for (int i = 0; i < 400; ++i) {
+      const Ray ray = aimed(random, w.none.triangles);
+      const Segment way{ray.o, ray.o + 2.0 * ray.d.v};
+      const bool expected = brute.is_blocked(way);
+      blocked += expected;
+      ASSERT_EQ(expected, boxed.is_blocked(way)) << "seed " << seed << " segment " << i;
+      ASSERT_EQ(expected, tree.is_blocked(way)) << "seed " << seed << " segment " << i;
+    }
+  }
+  EXPECT_GT(blocked, 500);
+}
+
+TEST(BoxTree, OffersEveryTriangleOnceAtMost) {
+  const Scene scene = nasty_scene(1);
+  const World w = make_world(scene, Format::binary64, Accel::bvh);
+  Random random(7);
+  for (int i = 0; i < 100; ++i) {
+    const std::vector<std::uint32_t> ids = candidates(w, aimed(random, w.triangles));
+    EXPECT_EQ(std::adjacent_find(ids.begin(), ids.end()), ids.end());
+  }
+}
+
+TEST(BoxTree, HandlesManyEqualBoxesAndHugeOnes) {
+  Scene scene;
+  Solid s = octahedron(Point3(0), 1);
+  const double big = 0x1.8p1023;
+  s.mesh.vertices.insert(s.mesh.vertices.end(), {{-big, -big, 5}, {big, -big, 5}, {0, big, 5}});
+  for (int i = 0; i < 500; ++i) s.mesh.triangles.push_back({6, 7, 8});
+  scene.solids = {s};
+  const Worlds w(scene);
+  Tally tally;
+  const Ray ray{{0, 0.25, 9}, {{0, 0, -1}}};
+  EXPECT_EQ(Visibility(w.bvh, method("sf-rational"), tally).first_hit(ray), 8u) << "lowest id of the equal ones";
+  EXPECT_EQ(Visibility(w.none, method("sf-rational"), tally).first_hit(ray), 8u);
+}
+
+/// A triangle twice, and the primitive order reversed: the same surface is hit at the same place.
+TEST(BoxTree, PrimitiveOrderDoesNotMove) {
+  Scene scene = nasty_scene(4);
+  Scene reversed = scene;
+  for (Solid& s : reversed.solids) std::reverse(s.mesh.triangles.begin(), s.mesh.triangles.end());
+  const World w = make_world(scene, Format::binary64, Accel::bvh);
+  const World v = make_world(reversed, Format::binary64, Accel::bvh);
+  const Method& m = method("sf-epeck");
+  Tally tally;
+  Visibility forward(w, m, tally), backward(v, m, tally);
+  Random random(5);
+  for (int i = 0; i < 400; ++i) {
+    const Ray ray = aimed(random, w.triangles);
+    const auto a = forward.first_hit(ray), b = backward.first_hit(ray);
+    ASSERT_EQ(a.has_value(), b.has_value());
+    if (!a) continue;
+    EXPECT_EQ(m.compare_hits(ray, w.triangles[*a], v.triangles[*b]), Sign::zero);
+  }
+}
+
+}  // namespace
+}  // namespace tribunal
