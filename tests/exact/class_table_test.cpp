@@ -117,7 +117,9 @@ TEST(CgalPeers, AgreeWhereTheirPreconditionsHold) {
       const Answer answer = method.segment(row.representative_segment(), row.representative_triangle());
       const bool regular = row.triangle == "tri" && row.segment == "seg";
       ASSERT_EQ(answer.status, regular ? Status::ok : Status::unsupported) << name << class_name(row.id);
-      if (regular) EXPECT_EQ(answer.hit, row.hit()) << name << class_name(row.id);
+      if (regular) {
+        EXPECT_EQ(answer.hit, row.hit()) << name << class_name(row.id);
+      }
     }
   }
 }

@@ -144,10 +144,11 @@ TYPED_TEST(ExactLaws, DependentPointsGiveZero) {
     EXPECT_EQ(k.orient3d(a, b, c, Direction{{0, 0, 0}}), Sign::zero);
     EXPECT_EQ(k.orient2d(Axis::x, a, b, b), Sign::zero);
   }
-  EXPECT_EQ(k.orient3d({0, 0, largest}, {largest, 0, largest}, {0, largest, largest}, {-largest, smallest, largest}),
+  EXPECT_EQ(k.orient3d(Point3(0, 0, largest), Point3(largest, 0, largest), Point3(0, largest, largest),
+                       Point3(-largest, smallest, largest)),
             Sign::zero)
       << "coplanar at the far end of the range";
-  EXPECT_EQ(k.orient3d({-largest, -largest, -largest}, {largest, 0, 0}, {0, largest, 0}, {0, 0, smallest}),
+  EXPECT_EQ(k.orient3d(Point3(-largest), Point3(largest, 0, 0), Point3(0, largest, 0), Point3(0, 0, smallest)),
             Sign::positive);
 }
 

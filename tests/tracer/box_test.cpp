@@ -132,17 +132,18 @@ TEST(BoxProbe, NeverLosesANastySegmentThatMeetsTheBox) {
   EXPECT_LT(kept, 100000) << "the test keeps almost everything";
 }
 
-/// One axis of a ray that reaches `corner` at an odd t exactly, though neither t·d nor the difference corner − o is a
-/// binary64 number: t·d has up to 56 bits, and o takes the lowest three away.
+/// One axis of a ray that reaches `corner` at t exactly, though neither t·d nor the difference corner − o is a binary64
+/// number: t·d has up to 77 bits, and o takes the lowest 24 away.
 struct AimedAxis {
   double o, d, corner;
 };
 
 AimedAxis aim(Random& random, std::int64_t t) {
-  const std::int64_t d = static_cast<std::int64_t>(random.next() >> 12 | std::uint64_t{1} << 52 | 1);
-  const std::int64_t o = -(t * d % 8) + 8 * random.within(-100, 100);
+  const std::int64_t d = static_cast<std::int64_t>(random.below(1 << 23)) + (1 << 23);
+  const __int128 way = static_cast<__int128>(t) * d;
+  const std::int64_t o = -static_cast<std::int64_t>(way % (1 << 24));
   const double mirror = random.below(2) == 0 ? 1 : -1;
-  return {mirror * static_cast<double>(o), mirror * static_cast<double>(d), mirror * static_cast<double>(t * d + o)};
+  return {mirror * static_cast<double>(o), mirror * static_cast<double>(d), mirror * static_cast<double>(way + o)};
 }
 
 /// Rays that touch the box in exactly one corner, where they leave one slab as they enter the others: a test that
@@ -151,9 +152,9 @@ TEST(BoxProbe, KeepsRaysThroughCorners) {
   Random random(3);
   int met = 0, kept = 0;
   for (int i = 0; i < 100000; ++i) {
-    const std::int64_t t = 3 + 2 * random.within(0, 2);
+    const std::int64_t t = static_cast<std::int64_t>(random.next() >> 12 | std::uint64_t{1} << 52);
     const AimedAxis axes[] = {aim(random, t), aim(random, t), aim(random, t)};
-    const double scale = std::ldexp(1.0, random.within(-1000, 900));
+    const double scale = std::ldexp(1.0, random.within(-1000, 800));
     Ray ray;
     Box box;
     Point3 corner, opposite;

@@ -75,12 +75,12 @@ const ChartRow* drawn_row(const Chart& chart, std::size_t method, std::size_t po
 }
 
 std::string cells_of(const ChartRow& r) {
-  char text[120];
+  char text[120], spread[40];
   const std::string refused =
       r.count.unsupported == 0 ? "" : std::to_string(100 * r.count.unsupported / r.count.asked) + " %";
-  std::snprintf(text, sizeof text, " %8.1f %15s %20s %8s", r.time.median,
-                (compact(r.time.lower_quartile) + " - " + compact(r.time.upper_quartile)).c_str(),
-                to_text(r.count).c_str(), refused.c_str());
+  std::snprintf(spread, sizeof spread, "%.1f - %.1f", r.time.lower_quartile, r.time.upper_quartile);
+  std::snprintf(text, sizeof text, " %8.1f %18s %20s %8s", r.time.median, spread, to_text(r.count).c_str(),
+                refused.c_str());
   return text;
 }
 
@@ -105,7 +105,7 @@ std::string to_table(const ChartPlan& plan, const Chart& chart) {
   for (std::size_t p = 0; p < all_populations().size(); ++p) {
     const Population& population = all_populations()[p];
     text += std::string(population.title) + ": " + std::string(population.about) + "\n";
-    std::snprintf(line, sizeof line, "  %-14s %8s %15s %20s %8s\n", "method", "ns/test", "quartiles", "wrong",
+    std::snprintf(line, sizeof line, "  %-14s %8s %18s %20s %8s\n", "method", "ns/test", "quartiles", "wrong",
                   "refused");
     text += line;
     for (std::size_t m = 0; m < plan.methods.size(); ++m) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "exact/io/json.h"
 #include "tracer/chart/populations.h"
 #include "tracer/chart/timing.h"
 
@@ -13,7 +14,7 @@ struct ChartPlan {
   std::vector<Method> methods;
   std::uint64_t seed = 1;
   std::uint64_t cases = 50'000;  ///< judged, of each population and format
-  int repetitions = 15;
+  int repetitions = 31;
   unsigned threads = 1;  ///< for judging; time is taken on one thread
 };
 

@@ -1,0 +1,247 @@
+// Families, judge, fuzz, shrink and certificate: what they find, and that they find what is planted.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "exact/certificate/bounds.h"
+#include "exact/certificate/certify.h"
+#include "exact/classes/class_table.h"
+#include "exact/families/affine.h"
+#include "exact/families/ulp.h"
+#include "exact/harness/counterexample.h"
+#include "exact/harness/fuzz.h"
+#include "exact/harness/shrink.h"
+#include "exact/methods.h"
+
+namespace tribunal {
+namespace {
+
+Method method(const char* name) { return *find_method(name); }
+
+bool fits(const Point3& p, Format format) {
+  const auto exact = [&](double x) {
+    return std::isfinite(x) && (format == Format::binary64 || static_cast<double>(static_cast<float>(x)) == x);
+  };
+  return exact(p.x) && exact(p.y) && exact(p.z);
+}
+
+bool fits(const Trial& trial) {
+  const Segment& s = std::get<Segment>(trial.query.probe);
+  const Triangle& t = trial.query.triangle;
+  return fits(s.p, trial.format) && fits(s.q, trial.format) && fits(t.a, trial.format) && fits(t.b, trial.format) &&
+         fits(t.c, trial.format);
+}
+
+TEST(Families, EveryCaseFitsItsFormatAndIsAFunctionOfItsNumber) {
+  for (const Stream& s : all_streams()) {
+    for (std::uint64_t k = 0; k < 5000; ++k) {
+      const Trial trial = s.family->make(s.format, 7, k);
+      ASSERT_TRUE(fits(trial)) << s.family->name << " " << k;
+      ASSERT_LT(trial.level, s.family->levels(s.format).size());
+      const Trial again = s.family->make(s.format, 7, k);
+      ASSERT_EQ(trial.query.triangle.b, again.query.triangle.b);
+    }
+  }
+}
+
+TEST(Families, AffineImagesKeepTheirClass) {
+  for (const Format format : {Format::binary64, Format::binary32}) {
+    std::set<ClassId> seen;
+    for (std::uint64_t k = 0; k < 4000; ++k) {
+      const Trial trial = affine_family().make(format, 3, k);
+      ASSERT_EQ(exact_truth(trial.query).class_id, trial.class_id) << name_of(format) << " case " << k;
+      seen.insert(trial.class_id);
+    }
+    EXPECT_EQ(seen.size(), 163U);
+  }
+}
+
+TEST(Families, UlpNeighboursLeaveTheirClassOftenButNotAlways) {
+  int moved = 0;
+  const std::uint64_t cases = 4000;
+  for (std::uint64_t k = 0; k < cases; ++k) {
+    const Trial trial = ulp_family().make(Format::binary64, 3, k);
+    moved += exact_truth(trial.query).class_id != static_cast<ClassId>(1 + k % class_count);
+  }
+  EXPECT_GT(moved, 2500);
+  EXPECT_LT(moved, 3990);
+}
+
+TEST(Families, MovesByUlpsCrossZeroAndBinades) {
+  EXPECT_EQ(moved_by_ulps(1, 1, Format::binary64), 1 + 0x1p-52);
+  EXPECT_EQ(moved_by_ulps(1, -1, Format::binary64), 1 - 0x1p-53);
+  EXPECT_EQ(moved_by_ulps(0, 1, Format::binary64), 0x1p-1074);
+  EXPECT_EQ(moved_by_ulps(-0.0, -1, Format::binary64), -0x1p-1074);
+  EXPECT_EQ(moved_by_ulps(0x1p-1074, -2, Format::binary64), -0x1p-1074);
+  EXPECT_EQ(moved_by_ulps(1, 1, Format::binary32), 1 + 0x1p-23);
+  EXPECT_EQ(moved_by_ulps(0, 1, Format::binary32), 0x1p-149);
+  const double largest = std::numeric_limits<double>::max();
+  EXPECT_EQ(moved_by_ulps(largest, 5, Format::binary64), largest);
+}
+
+FuzzPlan small_plan(std::vector<Method> methods, std::uint64_t cases) {
+  FuzzPlan plan;
+  plan.methods = std::move(methods);
+  plan.streams = all_streams();
+  plan.cases = cases;
+  return plan;
+}
+
+Count counted(const FuzzPlan& plan, const FuzzReport& report, const char* family, int level) {
+  Count total;
+  report.counts.for_each([&](const Cell& c, const Count& count) {
+    const Stream& s = plan.streams[c.stream];
+    if (c.method == 0 && s.family->name == family && s.format == Format::binary64 &&
+        c.level < s.family->levels(s.format).size() && s.family->levels(s.format)[c.level] == level) {
+      total += count;
+    }
+  });
+  return total;
+}
+
+/// The onset: double is right up to 16 bits, wrong on a fifth of degenerate cases from 30.
+TEST(Fuzz, TheSampleHasTeethExactlyWhereDoubleGivesWay) {
+  const FuzzPlan plan = small_plan({method("sf-double")}, 40'000);
+  const FuzzReport report = fuzz(plan);
+  for (const int bits : {0, 8, 16}) EXPECT_EQ(counted(plan, report, "affine", bits).wrong, 0U) << bits;
+  for (const int bits : {30, 40, 50}) {
+    const Count count = counted(plan, report, "affine", bits);
+    EXPECT_GT(count.wrong * 100, count.judged() * 15) << bits;
+  }
+  EXPECT_GT(counted(plan, report, "ulp", 1).wrong, 50U);
+}
+
+TEST(Fuzz, ExactMethodsAreNeverWrong) {
+  const FuzzReport report =
+      fuzz(small_plan({method("sf-rational"), method("sf-epick"), method("sf-epeck"), method("cgal-epick")}, 20'000));
+  EXPECT_TRUE(report.findings.empty());
+}
+
+TEST(Fuzz, ThreadsDoNotShow) {
+  std::vector<std::string> reports;
+  for (const unsigned threads : {1U, 2U, 7U}) {
+    FuzzPlan plan = small_plan({method("sf-float"), method("mt-double")}, 30'000);
+    plan.threads = threads;
+    const FuzzReport report = fuzz(plan);
+    std::string text = std::to_string(report.cases);
+    report.counts.for_each(
+        [&](const Cell&, const Count& c) { text += " " + std::to_string(c.asked) + "/" + std::to_string(c.wrong); });
+    for (const Finding& f : report.findings) text += from_case(to_counterexample(plan, f)).dump();
+    reports.push_back(text);
+  }
+  EXPECT_EQ(reports[0], reports[1]);
+  EXPECT_EQ(reports[0], reports[2]);
+}
+
+/// A kernel with one edge sign flipped where it is zero: boundary contacts on that edge are lost.
+TEST(Fuzz, FindsAPlantedBugAndBlamesItsMethod) {
+  Method planted = method("sf-rational");
+  planted.name = "planted";
+  planted.segment = [](const Segment& s, const Triangle& t) {
+    const Answer answer = reference_method().segment(s, t);
+    return answer.contact == Contact::edge && answer.at == At::source ? miss() : answer;
+  };
+  const FuzzPlan plan = small_plan({method("sf-rational"), planted}, 10'000);
+  const FuzzReport report = fuzz(plan);
+  ASSERT_FALSE(report.findings.empty());
+  for (const Finding& f : report.findings) {
+    EXPECT_EQ(plan.methods[f.method].name, "planted");
+    EXPECT_EQ(class_name(f.truth.class_id), "C012");
+  }
+}
+
+TEST(Judge, ConventionIsNoError) {
+  const Query in_plane{Segment{{1, 1, 0}, {2, 1, 0}}, {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}};
+  const Truth truth = exact_truth(in_plane);
+  EXPECT_TRUE(truth.hit());
+  EXPECT_EQ(judge(method("mt-double"), truth, method("mt-double").ask(in_plane)), Judgement::right);
+  EXPECT_EQ(judge(method("sf-double"), truth, method("sf-double").ask(in_plane)), Judgement::right);
+  EXPECT_EQ(judge(method("sf-double"), truth, miss()), Judgement::wrong);
+  EXPECT_EQ(judge(method("mt-double"), truth, hit_at(Contact::unsaid)), Judgement::wrong);
+}
+
+TEST(Judge, NonFiniteOperandsGetNoAnswer) {
+  const double nan = std::nan("");
+  const double inf = std::numeric_limits<double>::infinity();
+  for (const Method& m : all_methods()) {
+    EXPECT_EQ(m.ask({Segment{{nan, 0, 0}, {1, 1, 1}}, {}}).status, Status::nonfinite) << m.name;
+    EXPECT_EQ(m.ask({Ray{{0, 0, 0}, {{0, inf, 0}}}, {}}).status, Status::nonfinite) << m.name;
+    EXPECT_EQ(m.ask({Segment{}, {{0, 0, 0}, {0, -inf, 0}, {0, 0, 0}}}).status, Status::nonfinite) << m.name;
+  }
+}
+
+TEST(Shrink, KeepsTheFailureAndIsItsOwnFixedPoint) {
+  const FuzzPlan plan = small_plan({method("sf-double"), method("sf-float"), method("mt-double")}, 12'000);
+  const FuzzReport report = fuzz(plan);
+  int shrunk = 0;
+  for (const Finding& f : report.findings) {
+    if (++shrunk > 30) break;
+    const Method& m = plan.methods[f.method];
+    const Format format = plan.streams[f.stream].format;
+    const Query small = shrink(m, f.trial.query, format);
+    EXPECT_EQ(exact_truth(small).class_id, f.truth.class_id);
+    EXPECT_EQ(m.ask(small).hit, f.answer.hit);
+    EXPECT_EQ(judge(m, exact_truth(small), m.ask(small)), Judgement::wrong);
+    EXPECT_EQ(from_case({.query = shrink(m, small, format)}), from_case({.query = small}));
+  }
+  EXPECT_GE(shrunk, 30);
+}
+
+TEST(Counterexamples, ReplayBlamesTheMethodAndNoExactOne) {
+  const FuzzPlan plan = small_plan({method("sf-double")}, 4'000);
+  const FuzzReport report = fuzz(plan);
+  ASSERT_FALSE(report.findings.empty());
+  const Case c = to_counterexample(plan, report.findings[0]);
+  EXPECT_EQ(from_case(to_case(from_case(c), {"test"})), from_case(c)) << "round trip";
+  bool wrong = false;
+  const std::string text = replay(c, wrong);
+  EXPECT_TRUE(wrong);
+  const std::size_t at = text.find("sf-rational");
+  EXPECT_EQ(text.substr(at, text.find('\n', at) - at).find("WRONG"), std::string::npos);
+  EXPECT_TRUE(c.finding.contains("exact"));
+}
+
+TEST(Bounds, ClopperPearson) {
+  EXPECT_NEAR(upper_bound(0, 1000, 0.05), 1 - std::pow(0.05, 1.0 / 1000), 1e-12);
+  EXPECT_NEAR(upper_bound(5, 100, 0.05), 0.1022533656, 1e-9);
+  EXPECT_NEAR(lower_bound(5, 100, 0.05), 0.0199055637, 1e-9);
+  EXPECT_EQ(upper_bound(7, 7, 0.05), 1);
+  EXPECT_EQ(upper_bound(0, 0, 0.05), 1);
+  EXPECT_EQ(lower_bound(0, 50, 0.05), 0);
+}
+
+TEST(Certificate, RefutesDoubleAndSaysWhy) {
+  const CertifyPlan plan{.method = method("sf-double"), .threads = 2};
+  const Certificate c = certify(plan);
+  EXPECT_EQ(c.verdict, Verdict::refuted);
+  ASSERT_EQ(c.proved.size(), 2U);
+  EXPECT_EQ(c.proved[0].size, 93'888U);
+  EXPECT_EQ(c.proved[0].count.wrong, 0U);
+  EXPECT_EQ(c.proved[1].size, 14'348'907U);
+  EXPECT_EQ(c.proved[1].classes, 114);
+  EXPECT_FALSE(c.counterexamples.empty());
+  const Json json = to_json(plan, c);
+  EXPECT_EQ(json["verdict"], "refuted");
+  for (const Json& row : json["sampled"]) {
+    ASSERT_LE(row["k"].get<double>() / row["n"].get<double>(), row["upper_95"].get<double>());
+    ASSERT_LE(row["upper_95"].get<double>(), row["upper_95_simultaneous"].get<double>());
+  }
+  for (const Gap& gap : c.gaps) EXPECT_TRUE(gap.explained) << gap.what;
+}
+
+TEST(Certificate, ACaseOfTheUsersOwnRefutesToo) {
+  Case own;
+  own.id = "mine";
+  own.query = {Segment{{0.5, 0.25, 0}, {0.5, 0.25, 1}}, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+  Method lazy = method("sf-rational");
+  lazy.name = "lazy";
+  lazy.segment = [](const Segment& s, const Triangle& t) {
+    return s.q == Point3(0.5, 0.25, 1) ? miss() : find_method("sf-epick")->segment(s, t);
+  };
+  const Certificate c = certify({.method = lazy, .threads = 2, .cases = {own}});
+  EXPECT_EQ(c.own_cases.wrong, 1U);
+  EXPECT_EQ(c.verdict, Verdict::refuted);
+}
+
+}  // namespace
+}  // namespace tribunal
