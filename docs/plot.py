@@ -106,28 +106,22 @@ def label_points(ax, rows):
 
 def caption(panels, rows):
     """Cases and hits of a panel, and what some methods refused there."""
-    hits = " and ".join(f"{100 * p['hits'] / p['cases']:.1f} % of {p['cases']:,} {p['fmt']} cases" for p in panels)
+    hits = ", ".join(f"{100 * p['hits'] / p['cases']:.1f} % hits in {p['fmt']}" for p in panels)
+    cases = f"{max(p['cases'] for p in panels):,} cases" + (" each" if len(panels) > 1 else "")
     refused = {}
     for r in rows:
         if r["answers"]["refused"]:
             share = f"{100 * r['answers']['refused'] / r['answers']['asked']:.0f} %"
             refused.setdefault(share, []).append(r["method"])
     notes = [f"{', '.join(methods)}: {share} refused, judged on the rest" for share, methods in refused.items()]
-    return "\n".join([wrapped("hits: " + hits, 70)] + notes)
-
-
-def wrapped(text, width):
-    lines = [""]
-    for word in text.split():
-        lines = lines + [word] if len(lines[-1]) + len(word) > width else lines[:-1] + [(lines[-1] + " " + word).strip()]
-    return "\n".join(lines)
+    return "\n".join([hits + "; " + cases] + notes)
 
 
 def speed_accuracy(chart):
     keys = list(dict.fromkeys(p["population"] for p in chart["panels"]))
     rows = [r for r in chart["rows"] if r["drawn"] and r["answers"]["judged"]]
     figure, axes = plt.subplots(1, len(keys), figsize=(4.7 * len(keys), 6.4), sharex=True, sharey=True)
-    figure.subplots_adjust(left=0.065, right=0.985, top=0.735, bottom=0.165, wspace=0.07)
+    figure.subplots_adjust(left=0.065, right=0.985, top=0.745, bottom=0.165, wspace=0.07)
     floor = min(r["answers"]["drawn"] for r in rows)
     times = [r["nanoseconds"] for r in rows]
     for ax, key in zip(axes, keys):
@@ -143,9 +137,9 @@ def speed_accuracy(chart):
                     color=colour_of(r["method"]), lw=1.6)
             draw_point(ax, t["median"], r["answers"], r["method"])
         panels = [p for p in chart["panels"] if p["population"] == key]
-        ax.set_title(panels[0]["title"], pad=58)
-        ax.text(0, 1.05, wrapped(panels[0]["about"], 62) + "\n" + caption(panels, own), transform=ax.transAxes,
-                fontsize=8, color="#555555", va="bottom", linespacing=1.35)
+        ax.set_title(panels[0]["title"], pad=54)
+        ax.text(0, 1.15, panels[0]["about"] + "\n" + caption(panels, own), transform=ax.transAxes, fontsize=8,
+                color="#555555", va="top", linespacing=1.4)
     figure.canvas.draw()
     for ax, key in zip(axes, keys):
         label_points(ax, [r for r in rows if r["population"] == key])

@@ -14,7 +14,7 @@ struct Colour {
     return *this;
   }
   friend Colour operator*(double k, const Colour& c) { return {k * c.r, k * c.g, k * c.b}; }
-  friend Colour operator*(const Colour& a, const Colour& b) { return {a.r * b.r, a.g * b.g, a.b * b.b}; }
+  friend Colour operator*(const Colour& p, const Colour& q) { return {p.r * q.r, p.g * q.g, p.b * q.b}; }
 };
 
 }  // namespace tribunal

@@ -57,12 +57,12 @@ Family degenerate_family() {
 
 std::span<const Population> all_populations() {
   static const std::vector<Population> table = {
-      {"general", "General position", "five random points of the unit cube, in binary32 for every method",
+      {"general", "General position", "five random points of the unit cube, binary32 coordinates",
        general_family(), binary32_only},
       {"degenerate", "Exactly degenerate",
-       "affine images of all 163 classes with full mantissas, in each method's own format", degenerate_family(), both},
+       "affine images of all 163 classes, full mantissas, own format", degenerate_family(), both},
       {"near", "Nearly degenerate",
-       "affine images of all 163 classes, one vertex moved by ulps, in each method's own format", *find_family("ulp"),
+       "affine images of all 163 classes, one vertex moved by ulps", *find_family("ulp"),
        both},
   };
   return table;

@@ -145,7 +145,9 @@ std::string describe(const Findings& f, const Options& o, std::size_t pixels) {
 int run(const Options& o) {
   std::vector<Method> methods{method_named(o.method)};
   if (!o.against.empty()) methods.push_back(method_named(o.against));
+  if (o.out == "-") throw Failure(Exit::usage, "-o: expected a file name, found \"-\"");
   require_different(o.scene, o.out);
+  if (!o.stats.empty()) require_different(o.scene, o.stats);
   const Scene scene = read_scene(o.scene);
   const auto is_binary32 = [](const Method& m) { return m.format == Format::binary32; };
   const bool narrow = std::any_of(methods.begin(), methods.end(), is_binary32);
