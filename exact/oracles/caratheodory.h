@@ -49,12 +49,6 @@ Vec3<N> cross_product(const Vec3<N>& u, const Vec3<N>& v) {
 }
 
 template <class N>
-Sign triple(const Vec3<N>& u, const Vec3<N>& v, const Vec3<N>& w) {
-  const Vec3<N> x = cross_product(v, w);
-  return sign_of(N(u.x * x.x + u.y * x.y + u.z * x.z));
-}
-
-template <class N>
 std::array<Sign, 3> signs(const Vec3<N>& u) {
   return {sign_of(u.x), sign_of(u.y), sign_of(u.z)};
 }
@@ -93,7 +87,6 @@ bool two(const Generators<N>& g, int i, int j) {
 /// In one plane through the origin: the coefficients are the cross products of the other two, on any axis.
 template <class N>
 bool three(const Generators<N>& g, int i, int j, int k) {
-  if (triple(g.w[i], g.w[j], g.w[k]) != Sign::zero) return false;
   const auto x = signs(cross_product(g.w[j], g.w[k])), y = signs(cross_product(g.w[k], g.w[i])),
              z = signs(cross_product(g.w[i], g.w[j]));
   for (int axis = 0; axis < 3; ++axis) {
@@ -102,30 +95,56 @@ bool three(const Generators<N>& g, int i, int j, int k) {
   return false;
 }
 
+/// The signs of all determinants det(wᵢ, wⱼ, wₖ), i < j < k; each serves three subsets of four.
+class Determinants {
+ public:
+  template <class N>
+  explicit Determinants(const Generators<N>& g) {
+    for (int j = 1; j < g.size; ++j) {
+      for (int k = j + 1; k < g.size; ++k) {
+        const Vec3<N> x = cross_product(g.w[j], g.w[k]);
+        for (int i = 0; i < j; ++i) {
+          signs_[i][j][k] = sign_of(N(g.w[i].x * x.x + g.w[i].y * x.y + g.w[i].z * x.z));
+        }
+      }
+    }
+  }
+  Sign operator()(int i, int j, int k) const { return signs_[i][j][k]; }
+
+  /// Parallel vectors i < j have determinant zero with any third.
+  bool may_be_parallel(int i, int j) const {
+    const Sign with_third = i > 0 ? signs_[0][i][j] : j > 1 ? signs_[0][1][j] : signs_[0][1][2];
+    return with_third == Sign::zero;
+  }
+
+ private:
+  Sign signs_[6][6][6]{};
+};
+
 /// Four vectors of space: the coefficients are the alternating determinants of the other three.
 template <class N>
-bool four(const Generators<N>& g, int i, int j, int k, int l) {
-  return is_convex({triple(g.w[j], g.w[k], g.w[l]), -triple(g.w[i], g.w[k], g.w[l]), triple(g.w[i], g.w[j], g.w[l]),
-                    -triple(g.w[i], g.w[j], g.w[k])},
+bool four(const Generators<N>& g, const Determinants& det, int i, int j, int k, int l) {
+  return is_convex({det(j, k, l), -det(i, k, l), det(i, j, l), -det(i, j, k)},
                    {g.is_point(i), g.is_point(j), g.is_point(k), g.is_point(l)});
 }
 
 }  // namespace caratheodory_detail
 
-/// Whether the closed probe and the closed triangle meet. N must be exact for these operands. Cost: up to 60
-/// determinants where they do not meet; there is no early way out, which is the point.
+/// Whether the closed probe and the closed triangle meet. N must be exact for these operands. Cost: 20 determinants,
+/// and cross products where some of them vanish; there is no early way out, which is the point.
 template <class N, class P>
 bool meets_by_caratheodory(const P& probe, const Triangle& t) {
   namespace detail = caratheodory_detail;
   const Generators<N> g = differences<N>(probe, t);
+  const detail::Determinants det(g);
   for (int i = 0; i < g.size; ++i) {
     if (detail::one(g, i)) return true;
     for (int j = i + 1; j < g.size; ++j) {
-      if (detail::two(g, i, j)) return true;
+      if (det.may_be_parallel(i, j) && detail::two(g, i, j)) return true;
       for (int k = j + 1; k < g.size; ++k) {
-        if (detail::three(g, i, j, k)) return true;
+        if (det(i, j, k) == Sign::zero && detail::three(g, i, j, k)) return true;
         for (int l = k + 1; l < g.size; ++l) {
-          if (detail::four(g, i, j, k, l)) return true;
+          if (detail::four(g, det, i, j, k, l)) return true;
         }
       }
     }
