@@ -1,0 +1,14 @@
+// A drawing of a segment and a triangle.
+#pragma once
+
+#include <string>
+
+#include "core/query.h"
+
+namespace tribunal {
+
+/// Inline SVG: both seen along the coordinate axis in which they extend least, each axis scaled on its own. A likeness;
+/// what it shows is rounded.
+std::string sketch(const Segment& s, const Triangle& t);
+
+}  // namespace tribunal
