@@ -1,21 +1,34 @@
 // Exact affine images of the class representatives.
 #pragma once
 
+#include <array>
+
 #include "exact/families/draw.h"
 #include "exact/families/family.h"
 
 namespace tribunal {
 
-/// Case k is an image of class k mod 163, at level (k / 163) mod (number of levels). The level is the bit length of
-/// the entries of the integer matrix M of x ↦ S·(M·x + o), det M ≠ 0, S a diagonal of powers of two: the class, and
-/// with it the answer, is that of the representative. Every coordinate is an integer below 2⁵³ (2²⁴ in binary32)
-/// before S is applied, so it is exact in the format; so the construction is the oracle.
-Family affine_family();
+/// x ↦ S·(M·x + o) over the integers, det M ≠ 0, S a diagonal of powers of two.
+struct AffineMap {
+  std::array<std::array<std::int64_t, 3>, 3> m;
+  std::array<std::int64_t, 3> offset{};
+  std::array<int, 3> scale{};
+};
 
-/// The construction behind it, for families that start from an exactly degenerate case.
-Trial affine_image(Format format, Draw& draw, std::uint64_t k);
+/// Entries of up to `bits` bits, redrawn until the determinant is not zero.
+AffineMap draw_map(Draw& draw, int bits);
+
+/// The representative of the class under the map, in random vertex order and direction. The class is kept if no
+/// coordinate of M·x + o exceeds the format's integers: |M·x| ≤ 7·2^bits, since a representative's sum to at most 7.
+Trial image_of(ClassId id, const AffineMap& map, Format format, std::size_t level, Draw& draw);
+
+/// An image of class k mod 163 with entries of `bits` bits, sometimes with an offset and scaled axes.
+Trial affine_image(Format format, Draw& draw, std::uint64_t k, int bits, std::size_t level);
 
 /// Bit lengths of the entries of M that the family sweeps.
 std::span<const int> mantissa_fills(Format format);
+
+/// Case k is an image of class k mod 163, at level (k / 163) mod (number of levels): the construction is the oracle.
+Family affine_family();
 
 }  // namespace tribunal

@@ -39,11 +39,11 @@ Point3& vertex(Trial& trial, std::uint64_t i) {
 
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
   Draw draw(2, seed, k);
-  const std::uint64_t fill = draw.below(mantissa_fills(format).size());
-  Trial trial = affine_image(format, draw, k % class_count + class_count * fill);
+  const std::size_t level = k / class_count % steps(format).size();
+  const int bits = mantissa_fills(format)[draw.below(mantissa_fills(format).size())];
+  Trial trial = affine_image(format, draw, k, bits, level);
   trial.class_id = 0;
-  trial.level = static_cast<std::uint16_t>(k / class_count % steps(format).size());
-  const std::int64_t step = steps(format)[trial.level];
+  const std::int64_t step = steps(format)[level];
   Point3& v = vertex(trial, draw.below(5));
   const std::uint64_t only_axis = draw.below(6);
   for (int axis = 0; axis < 3; ++axis) {

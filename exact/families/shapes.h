@@ -1,0 +1,79 @@
+// Small parts that families are made of: random points, rounding, combinations.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "exact/families/draw.h"
+#include "exact/families/family.h"
+
+namespace tribunal {
+
+constexpr int digits_of(Format format) { return format == Format::binary32 ? 24 : 53; }
+
+/// To nearest in the format.
+inline double rounded(double x, Format format) {
+  return format == Format::binary32 ? static_cast<double>(static_cast<float>(x)) : x;
+}
+
+inline Point3 rounded(const Point3& p, Format format) {
+  return {rounded(p.x, format), rounded(p.y, format), rounded(p.z, format)};
+}
+
+/// Uniform in [−1, 1] with a full significand of the format.
+inline double draw_real(Draw& draw, Format format) {
+  const int digits = digits_of(format);
+  const std::int64_t limit = std::int64_t{1} << digits;
+  return std::ldexp(static_cast<double>(draw.between(-limit, limit)), -digits);
+}
+
+inline Point3 draw_point(Draw& draw, Format format) {
+  Point3 p;
+  for (int axis = 0; axis < 3; ++axis) p[axis] = draw_real(draw, format);
+  return p;
+}
+
+inline Triangle draw_triangle(Draw& draw, Format format) {
+  Triangle t;
+  t.a = draw_point(draw, format);
+  t.b = draw_point(draw, format);
+  t.c = draw_point(draw, format);
+  return t;
+}
+
+/// Integer coordinates of up to `bits` bits, all multiples of `step`.
+inline Point3 draw_lattice_point(Draw& draw, int bits, int step) {
+  const std::int64_t limit = (std::int64_t{1} << bits) / step;
+  Point3 p;
+  for (int axis = 0; axis < 3; ++axis) p[axis] = static_cast<double>(step * draw.between(-limit, limit));
+  return p;
+}
+
+/// A point of the triangle's plane with barycentric coordinates in about [−0.25, 1.25], rounded as it comes: near the
+/// plane, inside or outside.
+inline Point3 draw_in_plane(Draw& draw, Format format, const Triangle& t) {
+  const double u = 0.5 + 0.75 * draw_real(draw, format);
+  const double v = 0.5 + 0.75 * draw_real(draw, format);
+  return rounded(t.a + u * (t.b - t.a) + v * (t.c - t.a), format);
+}
+
+/// The trial with its vertices in a random order and its segment in a random direction. Keeps the class.
+inline Trial shuffled(Trial trial, Draw& draw) {
+  Triangle& t = trial.query.triangle;
+  const std::uint64_t turn = draw.below(6);
+  if (turn % 2 == 1) std::swap(t.a, t.b);
+  if (turn / 2 == 1) std::swap(t.a, t.c);
+  if (turn / 2 == 2) std::swap(t.b, t.c);
+  Segment& s = std::get<Segment>(trial.query.probe);
+  if (draw.below(2) == 1) std::swap(s.p, s.q);
+  return trial;
+}
+
+/// A trial whose class only an oracle can say.
+inline Trial unclassified(Format format, std::size_t level, const Segment& s, const Triangle& t) {
+  const Segment fitted{rounded(s.p, format), rounded(s.q, format)};
+  const Triangle placed{rounded(t.a, format), rounded(t.b, format), rounded(t.c, format)};
+  return {.query = {fitted, placed}, .format = format, .class_id = 0, .level = static_cast<std::uint16_t>(level)};
+}
+
+}  // namespace tribunal

@@ -1,0 +1,192 @@
+// tribunal demo: runs the other commands one after the other and makes a page of what they wrote.
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <memory>
+
+#include "exact/harness/counterexample.h"
+#include "exact/io/failure.h"
+#include "exact/io/files.h"
+#include "tracer/cli/command.h"
+#include "tracer/demo/page.h"
+#include "tracer/scene/read_scene.h"
+
+namespace tribunal {
+namespace {
+
+struct Options {
+  std::string out = "out", scene = "data/scenes/elephant.json";
+  unsigned threads = 1;
+};
+
+constexpr int stages = 5;
+
+/// A command as one would type it, and the exit code that shows the expected result.
+struct Step {
+  const char* command;
+  Action (*declare)(CLI::App&);
+  std::vector<std::string> arguments;
+  Exit expected = Exit::ok;
+
+  std::string line() const {
+    std::string text = std::string("tribunal ") + command;
+    for (const std::string& argument : arguments) text += " " + argument;
+    return text;
+  }
+};
+
+int run_step(const Step& step) {
+  CLI::App parser;
+  const Action action = step.declare(parser);
+  std::vector<std::string> arguments(step.arguments.rbegin(), step.arguments.rend());  // CLI11 takes the last first
+  parser.parse(std::move(arguments));
+  return action();
+}
+
+bool is_interruption(int exit) { return exit == code(Exit::interrupted) || exit == code(Exit::terminated); }
+
+/// Runs steps, collecting their lines and what came out unexpectedly.
+class Runner {
+ public:
+  void announce(int stage, const std::string& what) {
+    print("\n" + std::to_string(stage) + "/" + std::to_string(stages) + " " + what + "\n");
+  }
+
+  void run(const Step& step) {
+    lines_.push_back(step.line());
+    print("\n$ " + step.line() + "\n");
+    const int exit = run_step(step);
+    if (is_interruption(exit)) throw Failure(static_cast<Exit>(exit), "interrupted; no page written");
+    if (exit == code(step.expected)) return;
+    unexpected_.push_back(step.line() + " ended with exit code " + std::to_string(exit) + ", expected " +
+                          std::to_string(code(step.expected)));
+  }
+
+  const std::vector<std::string>& lines() const { return lines_; }
+  const std::vector<std::string>& unexpected() const { return unexpected_; }
+
+ private:
+  std::vector<std::string> lines_, unexpected_;
+};
+
+/// Before anything is run or written.
+void require_scene(const std::string& file) {
+  try {
+    read_scene(file);
+  } catch (const Failure& failure) {
+    throw Failure(failure.exit(), std::string(failure.what()) +
+                                      " (run from the repository; `./run build` unpacks the meshes into data/meshes)");
+  }
+}
+
+Json json_from(const std::string& file) { return parse_json(read_file(file), {file}); }
+
+void run_fuzz(Runner& runner, const Options& o) {
+  runner.announce(1, "fuzz: hunt for wrong answers of several methods");
+  runner.run({"fuzz",
+              declare_fuzz,
+              {"--method", "sf-float,sf-double,sf-double-eps,mt-float,mt-double,sf-epick", "--count", "400000", "--keep",
+               "5", "--threads", std::to_string(o.threads), "--out", o.out + "/" + demo_files::fuzz},
+              Exit::disagreement});
+}
+
+void run_certify(Runner& runner, const Options& o) {
+  runner.announce(2, "certify: one test in two arithmetics");
+  const auto certify = [&](const char* method, const char* directory, Exit expected) {
+    runner.run({"certify",
+                declare_certify,
+                {"--method", method, "--budget", "quick", "--threads", std::to_string(o.threads), "--out",
+                 o.out + "/" + directory},
+                expected});
+  };
+  certify("sf-double", demo_files::floating, Exit::disagreement);
+  certify("sf-rational", demo_files::exact, Exit::ok);
+}
+
+constexpr const char* pictured[] = {"mt-float", "sf-double"};
+
+std::string stats_file(const Options& o, const std::string& method) {
+  return o.out + "/render/exact-" + method + ".json";
+}
+
+/// The reference against the method gives the exact picture and the difference; the method has its own picture made in
+/// the same rounding of the scene, since that follows from its format alone.
+void run_render(Runner& runner, const Options& o) {
+  runner.announce(3, "render: what wrong answers do to a picture");
+  make_directory(o.out + "/render");
+  const std::string threads = std::to_string(o.threads);
+  for (const std::string method : pictured) {
+    runner.run({"render",
+                declare_render,
+                {o.scene, "--method", "sf-rational", "--against", method, "-o", o.out + "/" + exact_picture(method),
+                 "--stats", stats_file(o, method), "--threads", threads}});
+    runner.run({"render",
+                declare_render,
+                {o.scene, "--method", method, "-o", o.out + "/" + own_picture(method), "--threads", threads}});
+  }
+}
+
+void run_chart(Runner& runner, const Options& o) {
+  runner.announce(4, "chart: speed against accuracy");
+  runner.run({"chart",
+              declare_chart,
+              {"--threads", std::to_string(o.threads), "--out", o.out + "/" + demo_files::charts}});
+}
+
+/// The plainest counterexample, in a file of its own, and what replay says of it.
+void add_counterexample(Tour& tour) {
+  tour.counterexample = plainest(read_cases(tour.directory + "/" + demo_files::floating + "/counterexamples.jsonl"));
+  write_file(tour.directory + "/" + demo_files::counterexample, to_lines({tour.counterexample}));
+  bool wrong = false;
+  tour.replay = replay(tour.counterexample, wrong);
+}
+
+std::vector<Case> cases_in(const std::string& file) {
+  return read_file(file).empty() ? std::vector<Case>{} : read_cases(file);
+}
+
+Tour read_tour(const Options& o, const Runner& runner) {
+  Tour tour;
+  tour.directory = o.out;
+  tour.commands = runner.lines();
+  tour.floating = certificate_figures(json_from(o.out + "/" + demo_files::floating + "/certificate.json"));
+  tour.exact = certificate_figures(json_from(o.out + "/" + demo_files::exact + "/certificate.json"));
+  tour.fuzz = fuzz_figures(json_from(o.out + "/" + demo_files::fuzz + "/summary.json"));
+  for (const std::string method : pictured) {
+    const std::string cases = o.out + "/render/exact-" + method + ".cases.jsonl";
+    tour.pictures.push_back(picture_figures(json_from(stats_file(o, method)), cases_in(cases)));
+  }
+  tour.chart = json_from(o.out + "/" + demo_files::charts + "/chart.json");
+  add_counterexample(tour);
+  return tour;
+}
+
+int run(const Options& o) {
+  const auto start = std::chrono::steady_clock::now();
+  require_scene(o.scene);
+  make_directory(o.out);
+  Runner runner;
+  run_fuzz(runner, o);
+  run_certify(runner, o);
+  run_render(runner, o);
+  run_chart(runner, o);
+  runner.announce(5, "page");
+  Tour tour = read_tour(o, runner);
+  tour.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  write_file(o.out + "/index.html", page(tour));
+  print("\nOpen " + o.out + "/index.html\n");
+  for (const std::string& line : runner.unexpected()) print("UNEXPECTED: " + line + "\n");
+  return code(runner.unexpected().empty() ? Exit::ok : Exit::disagreement);
+}
+
+}  // namespace
+
+Action declare_demo(CLI::App& app) {
+  const auto o = std::make_shared<Options>();
+  app.add_option("--out", o->out, "directory for the page and all that it shows")->capture_default_str();
+  app.add_option("--scene", o->scene, "the scene to render")->capture_default_str();
+  add_threads_option(app, o->threads);
+  return [o] { return run(*o); };
+}
+
+}  // namespace tribunal
