@@ -40,7 +40,8 @@ def colour_of(method):
 
 
 def marker_of(method):
-    return "^" if method.endswith("float") else "D" if method.endswith("eps") else "o" if method.endswith("double") else "s"
+    endings = {"float": "^", "double": "o", "eps": "D"}
+    return endings.get(method.split("-")[-1], "s")
 
 
 def nanoseconds(x):
@@ -79,10 +80,11 @@ def spread(places, gap):
     return apart
 
 
-def label(ax, text, point, place, method, **alignment):
+def label(ax, text, point, place, method, tie=(0, 0.5), **alignment):
     """A name at a place given in fractions of the axes, tied to its point by a thin line."""
     ax.annotate(text, point, place, textcoords="axes fraction", fontsize=8.5, color=colour_of(method), **alignment,
-                arrowprops={"arrowstyle": "-", "color": colour_of(method), "lw": 0.5, "shrinkA": 1, "shrinkB": 6})
+                arrowprops={"arrowstyle": "-", "color": colour_of(method), "lw": 0.5, "shrinkA": 1, "shrinkB": 6,
+                            "relpos": tie})
 
 
 def label_points(ax, rows):
@@ -99,7 +101,8 @@ def label_points(ax, rows):
             r = rows[i]
             point = (r["nanoseconds"]["median"], r["answers"]["drawn"])
             if bound:
-                label(ax, r["method"], point, (place + inset, 0.24), r["method"], rotation=90, ha="center", va="top")
+                label(ax, r["method"], point, (place + inset, 0.24), r["method"], (0.5, 1), rotation=90,
+                      ha="center", va="top")
             else:
                 label(ax, r["method"], point, (column, place), r["method"], ha="left", va="center")
 
@@ -120,12 +123,13 @@ def caption(panels, rows):
 def speed_accuracy(chart):
     keys = list(dict.fromkeys(p["population"] for p in chart["panels"]))
     rows = [r for r in chart["rows"] if r["drawn"] and r["answers"]["judged"]]
-    figure, axes = plt.subplots(1, len(keys), figsize=(4.7 * len(keys), 6.4), sharex=True, sharey=True)
-    figure.subplots_adjust(left=0.065, right=0.985, top=0.745, bottom=0.165, wspace=0.07)
+    figure, axes = plt.subplots(1, len(keys), figsize=(4.2 * len(keys), 6.4), sharex=True, sharey=True)
+    figure.subplots_adjust(left=0.078, right=0.985, top=0.73, bottom=0.165, wspace=0.07)
     floor = min(r["answers"]["drawn"] for r in rows)
     times = [r["nanoseconds"] for r in rows]
     for ax, key in zip(axes, keys):
-        ax.set(xscale="log", yscale="log", xlim=(min(t["min"] for t in times) / 1.8, max(t["max"] for t in times) * 3),
+        ax.set(xscale="log", yscale="log", xlim=(min(t["lower_quartile"] for t in times) / 2,
+                                                 max(t["upper_quartile"] for t in times) * 2.5),
                ylim=(floor / 600, 1.3), xlabel="time per test (median; bar: quartiles)")
         ax.xaxis.set_major_formatter(FuncFormatter(lambda x, _: nanoseconds(x)))
         ax.xaxis.set_minor_formatter(NullFormatter())
@@ -144,22 +148,25 @@ def speed_accuracy(chart):
     for ax, key in zip(axes, keys):
         label_points(ax, [r for r in rows if r["population"] == key])
     axes[0].set_ylabel("share of wrong answers")
-    figure.suptitle("What being right costs: wrong answers against time per test", x=0.065, y=0.97, ha="left",
+    figure.suptitle("What being right costs: wrong answers against time per test", x=0.078, y=0.975, ha="left",
                     fontsize=14, fontweight="bold")
+    figure.text(0.078, 0.912, "General position: binary32 cases for every method. Elsewhere binary32 methods have "
+                "binary32 cases, all others binary64 cases.", fontsize=9, color="#555555", va="bottom")
     legend(figure)
     return figure
 
 
 def legend(figure):
     def key(marker, filled, text):
-        return Line2D([], [], ls="", marker=marker, ms=6.5, mec=INK, mew=1.4, mfc=INK if filled else "white", label=text)
+        return Line2D([], [], ls="", marker=marker, ms=6.5, mec=INK, mew=1.4, mfc=INK if filled else "white",
+                      label=text)
 
     handles = [key("^", True, "binary32"), key("o", True, "binary64"), key("D", True, "binary64 with a tolerance"),
                key("s", True, "exact arithmetic"),
                Line2D([], [], color=INK, lw=1.6, label="95 % confidence interval"),
                key("s", False, "hollow with ▼: 0 wrong, drawn at the 95 % upper bound")]
     figure.legend(handles=handles, loc="lower left", bbox_to_anchor=(0.055, 0.005), ncol=len(handles), frameon=False,
-                  fontsize=8.5, handletextpad=0.4, columnspacing=1.6)
+                  fontsize=8.5, handletextpad=0.4, columnspacing=1.3)
 
 
 def grouped(rows):

@@ -52,9 +52,6 @@ struct Certificate {
 /// Cases of all strata of one method of the sample.
 Count total_of(const FuzzReport& report, std::size_t method);
 
-/// "affine binary64".
-std::string name_of(const Stream& stream);
-
 /// Runs the whole trial. Deterministic for a plan, whatever the number of threads.
 Certificate certify(const CertifyPlan& plan);
 

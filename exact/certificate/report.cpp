@@ -53,6 +53,7 @@ Json to_json(const Certificate& c, const SampledStratum& s) {
   row["n"] = s.count.judged();
   row["k"] = s.count.wrong;
   row["unsupported"] = s.count.unsupported;
+  row["judged_by"] = oracle_of(*stream.family);
   row["upper_95"] = upper_bound(s.count.wrong, s.count.judged(), confidence_alpha);
   row["upper_95_simultaneous"] = upper_bound(s.count.wrong, s.count.judged(), simultaneous_alpha(c));
   return row;

@@ -20,6 +20,7 @@ struct Options {
   double seconds = 0;
   unsigned threads = 1;
   std::size_t keep = 20;
+  bool levels = false;
 };
 
 std::vector<Stream> streams_named(const std::string& families) {
@@ -70,28 +71,37 @@ int classes_covered(const FuzzReport& report, std::size_t stream) {
   return static_cast<int>(std::count(seen.begin(), seen.end(), true));
 }
 
-std::string table(const FuzzPlan& plan, const FuzzReport& report) {
+/// The same, summed over levels.
+std::map<Row, Count> by_stream(const FuzzReport& report) {
+  std::map<Row, Count> rows;
+  for (const auto& [row, count] : by_level(report)) rows[{row.method, row.stream, 0}] += count;
+  return rows;
+}
+
+std::string coverage(const FuzzPlan& plan, const FuzzReport& report) {
+  std::string text = "classes covered, of 163:";
+  for (std::size_t i = 0; i < plan.streams.size(); ++i) {
+    text += (i % 6 == 0 ? "\n  " : ", ") + name_of(plan.streams[i]) + " " + std::to_string(classes_covered(report, i));
+  }
+  return text + "\n";
+}
+
+std::string table(const FuzzPlan& plan, const FuzzReport& report, bool levels) {
   std::string text;
   char line[200];
-  std::snprintf(line, sizeof line, "%-14s %-8s %-9s %24s %12s %12s  %s\n", "method", "family", "format", "stress",
-                "cases", "wrong", "share");
+  std::snprintf(line, sizeof line, "%-14s %-9s %-9s %6s %12s %10s  %s\n", "method", "family", "format",
+                levels ? "level" : "", "judged", "wrong", "share");
   text += line;
-  for (const auto& [row, count] : by_level(report)) {
+  for (const auto& [row, count] : levels ? by_level(report) : by_stream(report)) {
     const Stream& s = plan.streams[row.stream];
-    const std::string stress =
-        std::to_string(s.family->levels(s.format)[row.level]) + " " + (s.family->name == "affine" ? "bits" : "ulps");
+    const std::string level = levels ? std::to_string(s.family->levels(s.format)[row.level]) : "";
     const double share =
         count.judged() == 0 ? 0 : static_cast<double>(count.wrong) / static_cast<double>(count.judged());
     std::snprintf(
-        line, sizeof line, "%-14s %-8s %-9s %24s %12llu %12llu  %.4f %%\n", plan.methods[row.method].name.c_str(),
-        std::string(s.family->name).c_str(), std::string(name_of(s.format)).c_str(), stress.c_str(),
+        line, sizeof line, "%-14s %-9s %-9s %6s %12llu %10llu  %.4f %%\n", plan.methods[row.method].name.c_str(),
+        std::string(s.family->name).c_str(), std::string(name_of(s.format)).c_str(), level.c_str(),
         static_cast<unsigned long long>(count.judged()), static_cast<unsigned long long>(count.wrong), 100 * share);
     text += line;
-  }
-  for (std::size_t i = 0; i < plan.streams.size(); ++i) {
-    text += "coverage " + std::string(plan.streams[i].family->name) + " " +
-            std::string(name_of(plan.streams[i].format)) + ": " + std::to_string(classes_covered(report, i)) +
-            " of 163 classes\n";
   }
   return text;
 }
@@ -130,7 +140,7 @@ int run(const Options& o) {
   if (!o.out.empty()) make_directory(o.out);
   const FuzzReport report = fuzz(plan);
   if (report.cases == 0) throw Failure(Exit::resources, "no case was run");
-  print(table(plan, report));
+  print(table(plan, report, o.levels) + coverage(plan, report));
   print(compact(static_cast<double>(report.cases)) + " cases in " + compact(report.seconds) + " s, " +
         compact(static_cast<double>(report.cases) / report.seconds) + "/s; seed " + std::to_string(plan.seed) + "\n");
   if (!o.out.empty()) {
@@ -160,6 +170,7 @@ Action declare_fuzz(CLI::App& app) {
   app.add_option("--seconds", o->seconds, "run for a time instead")->check(CLI::PositiveNumber)->excludes(count);
   add_threads_option(app, o->threads);
   app.add_option("--keep", o->keep, "counterexamples to shrink and write, a method")->capture_default_str();
+  app.add_flag("--levels", o->levels, "show each level of the stress axes");
   app.add_option("--out", o->out, "directory for summary.json and counterexamples.jsonl");
   return [o] { return run(*o); };
 }

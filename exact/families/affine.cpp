@@ -5,6 +5,7 @@
 
 #include "exact/classes/class_table.h"
 #include "exact/families/shapes.h"
+#include "exact/families/table.h"
 
 namespace tribunal {
 namespace {
@@ -83,11 +84,13 @@ std::span<const int> mantissa_fills(Format format) {
   return fills_64;
 }
 
+/// Case k is an image of class k mod 163, at level (k / 163) mod (number of levels): the construction is the oracle.
 Family affine_family() {
   return {.name = "affine",
           .stresses = "exact degeneracies of all 163 classes, with growing mantissa fill",
           .population = "exact affine images of the class representatives",
           .axis = "bits of the map's entries",
+          .proves_class = true,
           .levels = mantissa_fills,
           .make = make};
 }

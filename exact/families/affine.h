@@ -28,7 +28,4 @@ Trial affine_image(Format format, Draw& draw, std::uint64_t k, int bits, std::si
 /// Bit lengths of the entries of M that the family sweeps.
 std::span<const int> mantissa_fills(Format format);
 
-/// Case k is an image of class k mod 163, at level (k / 163) mod (number of levels): the construction is the oracle.
-Family affine_family();
-
 }  // namespace tribunal

@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <array>
 
-#include "exact/families/affine.h"
-#include "exact/families/ulp.h"
+#include "exact/families/table.h"
 
 namespace tribunal {
 
 std::span<const Family> all_families() {
-  static const std::array table = {affine_family(), ulp_family()};
+  static const std::array table = {
+      affine_family(),   ulp_family(),    offset_family(),  scale_family(),    zeros_family(),
+      midpoint_family(), sliver_family(), grazing_family(), distance_family(), near_family(),
+      flip_family(),     shared_family(), mesh_family(),
+  };
   return table;
 }
 

@@ -57,6 +57,12 @@ inline Point3 draw_in_plane(Draw& draw, Format format, const Triangle& t) {
   return rounded(t.a + u * (t.b - t.a) + v * (t.c - t.a), format);
 }
 
+/// The segment from x + v to x − w, as it rounds: nearly through x.
+inline Segment through(const Point3& x, const Point3& v, const Point3& w) { return {x + v, x - w}; }
+
+/// Through x exactly, where x ± v are integers that the format holds.
+inline Segment through_exactly(const Point3& x, const Point3& v) { return {x + v, x - v}; }
+
 /// The trial with its vertices in a random order and its segment in a random direction. Keeps the class.
 inline Trial shuffled(Trial trial, Draw& draw) {
   Triangle& t = trial.query.triangle;

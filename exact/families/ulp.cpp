@@ -1,3 +1,4 @@
+// Neighbours of exact degeneracies, some units in the last place away.
 #include "exact/families/ulp.h"
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 
 #include "exact/classes/class_table.h"
 #include "exact/families/affine.h"
+#include "exact/families/table.h"
 
 namespace tribunal {
 namespace {
@@ -61,11 +63,14 @@ double moved_by_ulps(double x, std::int64_t n, Format format) {
   return static_cast<double>(moved<float, std::int32_t>(static_cast<float>(x), n));
 }
 
+/// An affine image of class k mod 163 with one coordinate, or all three of one vertex, moved by ±level units in the
+/// last place; sometimes a zero gets a minus sign. The class is that of the moved points: an oracle must say it.
 Family ulp_family() {
   return {.name = "ulp",
           .stresses = "near-degeneracy: one vertex some ulps off an exact degeneracy",
           .population = "affine images of the class representatives, one vertex moved by ulps",
           .axis = "units in the last place",
+          .proves_class = false,
           .levels = steps,
           .make = make};
 }

@@ -108,6 +108,8 @@ FuzzReport fuzz(const FuzzPlan& plan) {
   return report;
 }
 
+std::string name_of(const Stream& s) { return std::string(s.family->name) + " " + std::string(name_of(s.format)); }
+
 std::vector<Stream> all_streams() {
   std::vector<Stream> streams;
   for (const Family& family : all_families()) {

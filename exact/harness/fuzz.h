@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <string>
 #include <tuple>
 #include <vector>
 
@@ -73,5 +74,8 @@ FuzzReport fuzz(const FuzzPlan& plan);
 
 /// All families in both formats.
 std::vector<Stream> all_streams();
+
+/// "affine binary64".
+std::string name_of(const Stream& stream);
 
 }  // namespace tribunal

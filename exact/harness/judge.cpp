@@ -5,7 +5,9 @@
 #include "exact/classes/class_table.h"
 #include "exact/io/case_io.h"
 #include "exact/io/failure.h"
+#include "exact/kernels/dyadic.h"
 #include "exact/methods.h"
+#include "exact/oracles/caratheodory.h"
 
 namespace tribunal {
 namespace {
@@ -18,9 +20,7 @@ Truth from_table(ClassId id) { return {id, class_row(id).contact()}; }
                 "oracles contradict each other: " + one + ", " + other + ", on " + from_case(witness).dump());
 }
 
-}  // namespace
-
-Truth exact_truth(const Query& query) {
+Truth truth_by_reference(const Query& query) {
   const Method& reference = reference_method();
   const auto* s = std::get_if<Segment>(&query.probe);
   if (s == nullptr) return {0, reference.ask(query).contact};
@@ -30,6 +30,19 @@ Truth exact_truth(const Query& query) {
   if (truth.contact != answer.contact) {
     contradiction(query, "class " + class_name(truth.class_id) + " says " + std::string(name_of(truth.contact)),
                   "the reference says " + std::string(name_of(answer.contact)));
+  }
+  return truth;
+}
+
+}  // namespace
+
+Truth exact_truth(const Query& query) {
+  const Truth truth = truth_by_reference(query);
+  const bool meets =
+      std::visit([&](const auto& probe) { return meets_by_caratheodory<Dyadic>(probe, query.triangle); }, query.probe);
+  if (meets != truth.hit()) {
+    contradiction(query, "the reference says " + std::string(name_of(truth.contact)),
+                  std::string("Caratheodory says ") + (meets ? "hit" : "no hit"));
   }
   return truth;
 }

@@ -14,10 +14,15 @@ struct Truth {
   bool hit() const { return contact != Contact::none; }
 };
 
-/// What the reference says of a query, its class and its own decision held against each other. They come from the
-/// same kernel but by different ways: signs looked up in the table, and the Segura–Feito decision. Fails with
-/// Exit::oracles_contradict where they differ.
+/// The exact answer by three ways that must agree: the class table (signs looked up), the Segura–Feito decision of the
+/// reference kernel, and Carathéodory's theorem on the differences, which shares no formula with them. Fails with
+/// Exit::oracles_contradict where two differ; there is no majority.
 Truth exact_truth(const Query& query);
+
+/// What judged a family's cases, for reports.
+constexpr const char* oracle_of(const Family& family) {
+  return family.proves_class ? "construction" : "class table, rational kernel, Caratheodory";
+}
 
 /// By construction where the trial knows its class, else exact_truth.
 Truth truth_of(const Trial& trial);

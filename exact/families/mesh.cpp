@@ -1,0 +1,84 @@
+// Closed meshes met at vertices and edge midpoints.
+#include <array>
+#include <vector>
+
+#include "exact/families/affine.h"
+#include "exact/families/shapes.h"
+#include "exact/families/table.h"
+
+namespace tribunal {
+namespace {
+
+/// Coordinates are sums of a few entries; some bits short of the significand's end keeps all of them exact.
+constexpr int bits_64[] = {4, 12, 20, 30, 40, 48};
+constexpr int bits_32[] = {4, 8, 12, 16, 19};
+
+std::span<const int> levels(Format format) {
+  if (format == Format::binary32) return bits_32;
+  return bits_64;
+}
+
+struct Solid {
+  std::vector<std::array<int, 3>> vertices;
+  std::vector<std::array<std::size_t, 3>> faces;
+};
+
+const Solid& solid(bool cube) {
+  static const Solid octahedron{
+      {{2, 0, 0}, {-2, 0, 0}, {0, 2, 0}, {0, -2, 0}, {0, 0, 2}, {0, 0, -2}},
+      {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}};
+  static const Solid box{{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {2, 2, 0}, {0, 0, 2}, {2, 0, 2}, {0, 2, 2}, {2, 2, 2}},
+                         {{0, 2, 3},
+                          {0, 3, 1},
+                          {4, 5, 7},
+                          {4, 7, 6},
+                          {0, 1, 5},
+                          {0, 5, 4},
+                          {2, 6, 7},
+                          {2, 7, 3},
+                          {0, 4, 6},
+                          {0, 6, 2},
+                          {1, 3, 7},
+                          {1, 7, 5}}};
+  return cube ? box : octahedron;
+}
+
+Point3 mapped(const AffineMap& map, const std::array<int, 3>& x) {
+  Point3 y;
+  for (int i = 0; i < 3; ++i) {
+    const auto& row = map.m[static_cast<std::size_t>(i)];
+    y[i] = static_cast<double>(row[0] * x[0] + row[1] * x[1] + row[2] * x[2]);
+  }
+  return y;
+}
+
+Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
+  Draw draw(13, seed, k / 12);
+  const std::size_t level = k / 12 % levels(format).size();
+  const AffineMap map = draw_map(draw, levels(format)[level]);
+  const Solid& shape = solid(draw.below(2) == 0);
+  const auto vertex = [&](std::size_t i) { return mapped(map, shape.vertices[i]); };
+  const auto& face = shape.faces[draw.below(shape.faces.size())];
+  const std::uint64_t corner = draw.below(3);
+  const Point3 at = vertex(face[corner]), next = vertex(face[(corner + 1) % 3]);
+  const Point3 target = draw.below(2) == 0 ? at : (at + next) * 0.5;
+  const Segment s = through_exactly(target, draw_lattice_point(draw, levels(format)[level], 1));
+  const auto& asked = shape.faces[k % 12 % shape.faces.size()];
+  return unclassified(format, level, s, {vertex(asked[0]), vertex(asked[1]), vertex(asked[2])});
+}
+
+}  // namespace
+
+/// A closed mesh (octahedron or cube under an integer map of `level` bits) and a segment aimed exactly at one of its
+/// vertices or edge midpoints. Case k asks face k mod 12 (8 and 12 faces; the octahedron's are asked again).
+Family mesh_family() {
+  return {.name = "mesh",
+          .stresses = "closed meshes, met exactly at vertices and edge midpoints",
+          .population = "integer images of an octahedron and a cube, segments aimed at vertices and edge midpoints",
+          .axis = "bits of the map's entries",
+          .proves_class = false,
+          .levels = levels,
+          .make = make};
+}
+
+}  // namespace tribunal

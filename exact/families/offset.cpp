@@ -1,0 +1,41 @@
+// Class representatives, far from the origin.
+#include "exact/classes/class_table.h"
+#include "exact/families/affine.h"
+#include "exact/families/shapes.h"
+#include "exact/families/table.h"
+
+namespace tribunal {
+namespace {
+
+constexpr int offsets_64[] = {0, 20, 40, 50};
+constexpr int offsets_32[] = {0, 10, 20, 22};
+
+std::span<const int> levels(Format format) {
+  if (format == Format::binary32) return offsets_32;
+  return offsets_64;
+}
+
+/// Entries of at most digits − 5 bits leave 2^digits − 7·2^bits ≥ 2^(digits−1) of room: more than any level.
+Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
+  Draw draw(3, seed, k);
+  const std::size_t level = k / class_count % levels(format).size();
+  AffineMap map = draw_map(draw, static_cast<int>(draw.between(0, digits_of(format) - 5)));
+  const std::int64_t far = std::int64_t{1} << levels(format)[level];
+  for (std::int64_t& o : map.offset) o = draw.below(2) == 0 ? far : -far;
+  return image_of(static_cast<ClassId>(1 + k % class_count), map, format, level, draw);
+}
+
+}  // namespace
+
+/// Class representatives under small integer maps, far from the origin by an exact 2^level.
+Family offset_family() {
+  return {.name = "offset",
+          .stresses = "all 163 classes, exactly, far from the origin",
+          .population = "exact affine images of the class representatives, translated by powers of two",
+          .axis = "log2 of the offset",
+          .proves_class = true,
+          .levels = levels,
+          .make = make};
+}
+
+}  // namespace tribunal
