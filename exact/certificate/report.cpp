@@ -175,7 +175,7 @@ Json to_json(const CertifyPlan& plan, const Certificate& c) {
   object["method"] = plan.method.name;
   object["convention"] = tribunal::name_of(plan.method.convention);
   object["contract"] = plan.method.contract;
-  object["budget"] = "quick";
+  object["budget"] = plan.budget.name;
   object["seed"] = plan.seed;
   object["verdict"] = name_of(c.verdict);
   object["proved"] = proved_json(c);
@@ -191,8 +191,8 @@ Json to_json(const CertifyPlan& plan, const Certificate& c) {
 std::string to_markdown(const CertifyPlan& plan, const Certificate& c) {
   std::string text = "# " + plan.method.name + ": " + name_of(c.verdict) + "\n\n";
   text += "Contract: " + plan.method.contract +
-          ". Convention: " + std::string(tribunal::name_of(plan.method.convention)) + ". Budget quick, seed " +
-          std::to_string(plan.seed) + ".\n\n";
+          ". Convention: " + std::string(tribunal::name_of(plan.method.convention)) + ". Budget " + plan.budget.name +
+          ", seed " + std::to_string(plan.seed) + ".\n\n";
   text += "## Proved: sets run whole\n\n" + proved_table(c) + "\n";
   text +=
       "## Sampled\n\nThe bounds are one-sided Clopper-Pearson bounds and speak of cases of these generators only. "

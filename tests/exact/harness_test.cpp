@@ -247,8 +247,11 @@ TEST(Bounds, ClopperPearson) {
   EXPECT_EQ(lower_bound(0, 50, 0.05), 0);
 }
 
+/// Few cases a class: what is tested is the certificate.
+const Budget tiny{"tiny", 16};
+
 TEST(Certificate, RefutesDoubleAndSaysWhy) {
-  const CertifyPlan plan{.method = method("sf-double"), .threads = 2};
+  const CertifyPlan plan{.method = method("sf-double"), .budget = tiny, .threads = 2};
   const Certificate c = certify(plan);
   EXPECT_EQ(c.verdict, Verdict::refuted);
   ASSERT_EQ(c.proved.size(), 2U);
@@ -275,7 +278,7 @@ TEST(Certificate, ACaseOfTheUsersOwnRefutesToo) {
   lazy.segment = [](const Segment& s, const Triangle& t) {
     return s.q == Point3(0.5, 0.25, 1) ? miss() : find_method("sf-epick")->segment(s, t);
   };
-  const Certificate c = certify({.method = lazy, .threads = 2, .cases = {own}});
+  const Certificate c = certify({.method = lazy, .budget = tiny, .threads = 2, .cases = {own}});
   EXPECT_EQ(c.own_cases.wrong, 1U);
   EXPECT_EQ(c.verdict, Verdict::refuted);
 }
