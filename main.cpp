@@ -5,25 +5,22 @@
 int main(int argc, char** argv) {
   using namespace tribunal;
   constexpr Command commands[] = {
-    {"methods", "list the methods on trial", "tribunal methods", declare_methods},
-    {"classify", "answer every case of a file by one or more methods",
-     "tribunal classify --method sf-rational,sf-double --in cases.jsonl --out answers.jsonl", declare_classify},
-    {"fuzz", "hunt for inputs on which a method parts from the exact answer",
-     "tribunal fuzz --method sf-double,mt-float --seed 1 --count 1000000 --out findings", declare_fuzz},
-    {"shrink", "make a counterexample minimal", "tribunal shrink findings/counterexamples.jsonl", declare_shrink},
-    {"replay", "show the exact signs of a case and every method's answer to it",
-     "tribunal replay findings/counterexamples.jsonl", declare_replay},
-    {"certify", "say with evidence how far a method can be trusted",
-     "tribunal certify --method sf-double --budget quick --out certificate", declare_certify},
-    {"render", "ray trace a scene with a method",
-     "tribunal render data/scenes/elephant.json --method sf-double --against sf-rational -o image.png", declare_render},
-#if __has_include("tracer/cli/chart.cpp")  // INTERIM
-    {"chart", "measure speed and accuracy on the same cases", "tribunal chart --out charts", declare_chart},
-#endif
-#if __has_include("tracer/cli/demo.cpp")  // INTERIM
-    {"demo", "the whole tour: fuzz, certify, render, chart, and a page that shows it", "tribunal demo --out out",
-     declare_demo},
-#endif
+      {"methods", "list the methods on trial", "tribunal methods", declare_methods},
+      {"classify", "answer every case of a file by one or more methods",
+       "tribunal classify --method sf-rational,sf-double --in cases.jsonl --out answers.jsonl", declare_classify},
+      {"fuzz", "hunt for inputs on which a method parts from the exact answer",
+       "tribunal fuzz --method sf-double,mt-float --seed 1 --count 1000000 --out findings", declare_fuzz},
+      {"shrink", "make a counterexample minimal", "tribunal shrink findings/counterexamples.jsonl", declare_shrink},
+      {"replay", "show the exact signs of a case and every method's answer to it",
+       "tribunal replay findings/counterexamples.jsonl", declare_replay},
+      {"certify", "say with evidence how far a method can be trusted",
+       "tribunal certify --method sf-double --budget quick --out certificate", declare_certify},
+      {"render", "ray trace a scene with a method",
+       "tribunal render data/scenes/elephant.json --method sf-double --against sf-rational -o image.png",
+       declare_render},
+      {"chart", "measure speed and accuracy on the same cases", "tribunal chart --out charts", declare_chart},
+      {"demo", "the whole tour: fuzz, certify, render, chart, and a page that shows it", "tribunal demo --out out",
+       declare_demo},
   };
   return run_program(commands, argc, argv);
 }

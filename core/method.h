@@ -8,15 +8,11 @@
 #include <vector>
 
 #include "core/answer.h"
+#include "core/format.h"
 #include "core/query.h"
 #include "core/sign.h"
 
 namespace tribunal {
-
-/// The coordinates a method computes with. A binary32 method is judged only on operands exact in binary32.
-enum class Format : std::uint8_t { binary32, binary64 };
-
-constexpr std::string_view name_of(Format f) { return f == Format::binary32 ? "binary32" : "binary64"; }
 
 /// Fuzz, certify, render and chart take methods by name and know nothing else about them.
 struct Method {

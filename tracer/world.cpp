@@ -31,13 +31,6 @@ Triangles gather(const Scene& scene, Format format) {
   return all;
 }
 
-/// x rounded to binary32. The volatile is needed: at -O2 the vectoriser of g++ 12.2 drops the rounding from pairs of
-/// double → float → double conversions.
-double through_float(double x) {
-  const volatile float rounded = static_cast<float>(x);
-  return static_cast<double>(rounded);
-}
-
 double greatest_coordinate(const std::vector<Triangle>& triangles) {
   double greatest = 0;
   for (const Triangle& t : triangles) {
@@ -49,10 +42,6 @@ double greatest_coordinate(const std::vector<Triangle>& triangles) {
 }
 
 }  // namespace
-
-Point3 in_format(const Point3& p, Format format) {
-  return format == Format::binary64 ? p : Point3(through_float(p.x), through_float(p.y), through_float(p.z));
-}
 
 World make_world(const Scene& scene, Format format, Accel accel) {
   Triangles all = gather(scene, format);

@@ -28,7 +28,4 @@ struct World {
 /// Fails with Exit::bad_input if a vertex overflows binary32.
 World make_world(const Scene& scene, Format format, Accel accel);
 
-/// The probe as every method sees it: unchanged, or rounded to binary32.
-Point3 in_format(const Point3& p, Format format);
-
 }  // namespace tribunal

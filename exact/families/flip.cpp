@@ -21,8 +21,8 @@ Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
   Draw draw(11, seed, k / 2);
   const Triangle t = draw_triangle(draw, format);
   const Point3 n = draw_point(draw, format);
-  const Segment centre = through(rounded((t.a + t.b + t.c) / 3.0, format), n, n);
-  Segment s{rounded(centre.p, format), rounded(centre.q, format)};
+  const Segment centre = through(in_format((t.a + t.b + t.c) / 3.0, format), n, n);
+  Segment s{in_format(centre.p, format), in_format(centre.q, format)};
   const int axis = static_cast<int>(draw.below(3));
   double in = s.p[axis];
   double out = in + (draw.below(2) == 0 ? 8 : -8);
@@ -31,8 +31,8 @@ Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
     return s;
   };
   if (!hits(at(in), t) || hits(at(out), t)) return unclassified(format, 0, at(in), t);
-  for (double middle = rounded(in + (out - in) / 2, format); middle != in && middle != out;
-       middle = rounded(in + (out - in) / 2, format)) {
+  for (double middle = in_format(in + (out - in) / 2, format); middle != in && middle != out;
+       middle = in_format(in + (out - in) / 2, format)) {
     (hits(at(middle), t) ? in : out) = middle;
   }
   return unclassified(format, 0, at(k % 2 == 0 ? in : out), t);

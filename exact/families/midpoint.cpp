@@ -14,13 +14,13 @@ Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
   const std::size_t kind = k % 4;
   Triangle t = draw_triangle(draw, format);
   const Point3 n = draw_point(draw, format);
-  const Point3 middle = rounded((t.a + t.b) * 0.5, format);
-  const Point3 centroid = rounded((t.a + t.b + t.c) / 3.0, format);
+  const Point3 middle = in_format((t.a + t.b) * 0.5, format);
+  const Point3 centroid = in_format((t.a + t.b + t.c) / 3.0, format);
   if (kind == 0) return shuffled(unclassified(format, kind, {middle, n}, t), draw);
   if (kind == 1) return shuffled(unclassified(format, kind, {centroid, n}, t), draw);
   if (kind == 2) return shuffled(unclassified(format, kind, through(middle, n, n), t), draw);
   const Point3 q = draw_point(draw, format);
-  t.a = rounded((n + q) * 0.5, format);
+  t.a = in_format((n + q) * 0.5, format);
   return shuffled(unclassified(format, kind, {n, q}, t), draw);
 }
 

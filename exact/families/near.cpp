@@ -18,7 +18,7 @@ Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
   if (draw.below(2) == 0)
     t.c = t.b;
   else
-    t.c = rounded(t.a + 1.5 * along * (t.b - t.a), format);
+    t.c = in_format(t.a + 1.5 * along * (t.b - t.a), format);
   for (int axis = 0; axis < 3; ++axis) {
     const std::int64_t by = draw.between(-steps[level], steps[level]);
     t.c[axis] = moved_by_ulps(t.c[axis], by, format);

@@ -11,15 +11,6 @@ namespace tribunal {
 
 constexpr int digits_of(Format format) { return format == Format::binary32 ? 24 : 53; }
 
-/// To nearest in the format.
-inline double rounded(double x, Format format) {
-  return format == Format::binary32 ? static_cast<double>(static_cast<float>(x)) : x;
-}
-
-inline Point3 rounded(const Point3& p, Format format) {
-  return {rounded(p.x, format), rounded(p.y, format), rounded(p.z, format)};
-}
-
 /// Uniform in [−1, 1] with a full significand of the format.
 inline double draw_real(Draw& draw, Format format) {
   const int digits = digits_of(format);
@@ -54,7 +45,7 @@ inline Point3 draw_lattice_point(Draw& draw, int bits, int step) {
 inline Point3 draw_in_plane(Draw& draw, Format format, const Triangle& t) {
   const double u = 0.5 + 0.75 * draw_real(draw, format);
   const double v = 0.5 + 0.75 * draw_real(draw, format);
-  return rounded(t.a + u * (t.b - t.a) + v * (t.c - t.a), format);
+  return in_format(t.a + u * (t.b - t.a) + v * (t.c - t.a), format);
 }
 
 /// The segment from x + v to x − w, as it rounds: nearly through x.
@@ -77,8 +68,8 @@ inline Trial shuffled(Trial trial, Draw& draw) {
 
 /// A trial whose class only an oracle can say.
 inline Trial unclassified(Format format, std::size_t level, const Segment& s, const Triangle& t) {
-  const Segment fitted{rounded(s.p, format), rounded(s.q, format)};
-  const Triangle placed{rounded(t.a, format), rounded(t.b, format), rounded(t.c, format)};
+  const Segment fitted{in_format(s.p, format), in_format(s.q, format)};
+  const Triangle placed{in_format(t.a, format), in_format(t.b, format), in_format(t.c, format)};
   return {.query = {fitted, placed}, .format = format, .class_id = 0, .level = static_cast<std::uint16_t>(level)};
 }
 

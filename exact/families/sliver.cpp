@@ -20,7 +20,7 @@ Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
   const std::size_t level = k % levels(format).size();
   Triangle t = draw_triangle(draw, format);
   const double along = 0.5 + 0.5 * draw_real(draw, format);
-  t.c = rounded(t.a + along * (t.b - t.a) + std::ldexp(1.0, -levels(format)[level]) * t.c, format);
+  t.c = in_format(t.a + along * (t.b - t.a) + std::ldexp(1.0, -levels(format)[level]) * t.c, format);
   const Point3 x = draw_in_plane(draw, format, t);
   const Point3 n = draw_point(draw, format);
   return shuffled(unclassified(format, level, through(x, n, n), t), draw);

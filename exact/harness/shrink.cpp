@@ -50,9 +50,7 @@ Cost cost_of(Query query) {
   return cost;
 }
 
-bool representable(double x, Format format) {
-  return std::isfinite(x) && (format == Format::binary64 || static_cast<double>(static_cast<float>(x)) == x);
-}
+bool representable(double x, Format format) { return std::isfinite(x) && is_exact_in(x, format); }
 
 class Shrinker {
  public:

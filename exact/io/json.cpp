@@ -62,6 +62,12 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
+/// What the parser says, without its tag "[json.exception.…] ".
+std::string after_tag(const std::string& what) {
+  const std::size_t tag_end = what.find("] ");
+  return tag_end == std::string::npos ? what : what.substr(tag_end + 2);
+}
+
 std::string shorten(std::string text) { return text.size() > 60 ? text.substr(0, 57) + "..." : text; }
 
 }  // namespace
@@ -91,8 +97,7 @@ double to_number(const Json& value, Format format, const Where& where) {
     where.fail("expected a number or a hex-float string like \"0x1.8p+1\", found " + shorten(value.dump()));
   }
   if (!std::isfinite(x)) where.fail("expected a finite number, found " + shorten(value.dump()));
-  if (format == Format::binary32 &&
-      (std::fabs(x) > std::numeric_limits<float>::max() || static_cast<double>(static_cast<float>(x)) != x)) {
+  if (!is_exact_in(x, format)) {
     where.fail("expected a number that is exact in binary32, found " + shorten(value.dump()));
   }
   return x;
@@ -110,10 +115,14 @@ Json parse_json(std::string_view text, const Where& where) {
   if (depth_of(text) > max_depth) where.fail("nested deeper than " + std::to_string(max_depth) + " levels");
   try {
     return Json::parse(text);
+  } catch (const nlohmann::json::parse_error& e) {
+    Where at = where;
+    if (at.line == 0)
+      at.line =
+          1 + static_cast<std::size_t>(std::count(text.begin(), text.begin() + std::min(e.byte, text.size()), '\n'));
+    at.fail(std::string("not valid JSON: ") + after_tag(e.what()));
   } catch (const nlohmann::json::exception& e) {
-    const std::string what = e.what();
-    const std::size_t colon = what.find("] ");
-    where.fail("not valid JSON: " + (colon == std::string::npos ? what : what.substr(colon + 2)));
+    where.fail(std::string("not valid JSON: ") + after_tag(e.what()));
   }
 }
 

@@ -36,7 +36,7 @@ double number(const Json& x, const std::string& precision) {
         std::bit_cast<float>(static_cast<std::uint32_t>(std::stoul(x.get<std::string>(), nullptr, 16))));
   }
   const double value = x.get<double>();
-  return precision == "f32" ? static_cast<double>(static_cast<float>(value)) : value;
+  return precision == "f32" ? to_binary32(value) : value;
 }
 
 Point3 point(const Json& p, const std::string& precision) {

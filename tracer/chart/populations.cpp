@@ -22,7 +22,7 @@ Point3 random_point(Draw& draw) {
 }
 
 Trial random_points(Format format, std::uint64_t seed, std::uint64_t k) {
-  constexpr std::uint32_t stream = 3;  // `affine` and `ulp` draw from 1 and 2
+  constexpr std::uint32_t stream = 1001;  // families of the fuzzer draw from small numbers
   Draw draw(stream, seed, k);
   Point3 v[5];
   for (Point3& vertex : v) vertex = random_point(draw);
@@ -42,6 +42,7 @@ Family general_family() {
           .stresses = "nothing: five random points",
           .population = "five uniform points of the unit cube",
           .axis = "",
+          .proves_class = false,
           .levels = one_level,
           .make = random_points};
 }
@@ -57,12 +58,11 @@ Family degenerate_family() {
 
 std::span<const Population> all_populations() {
   static const std::vector<Population> table = {
-      {"general", "General position", "five random points of the unit cube, binary32 coordinates",
-       general_family(), binary32_only},
-      {"degenerate", "Exactly degenerate",
-       "affine images of all 163 classes, full mantissas, own format", degenerate_family(), both},
-      {"near", "Nearly degenerate",
-       "affine images of all 163 classes, one vertex moved by ulps", *find_family("ulp"),
+      {"general", "General position", "five random points of the unit cube, binary32 coordinates", general_family(),
+       binary32_only},
+      {"degenerate", "Exactly degenerate", "affine images of all 163 classes, full mantissas", degenerate_family(),
+       both},
+      {"near", "Nearly degenerate", "affine images of all 163 classes, one vertex moved by ulps", *find_family("ulp"),
        both},
   };
   return table;

@@ -85,8 +85,8 @@ void run_fuzz(Runner& runner, const Options& o) {
   runner.announce(1, "fuzz: hunt for wrong answers of several methods");
   runner.run({"fuzz",
               declare_fuzz,
-              {"--method", "sf-float,sf-double,sf-double-eps,mt-float,mt-double,sf-epick", "--count", "400000", "--keep",
-               "5", "--threads", std::to_string(o.threads), "--out", o.out + "/" + demo_files::fuzz},
+              {"--method", "sf-float,sf-double,sf-double-eps,mt-float,mt-double,sf-epick", "--count", "400000",
+               "--keep", "5", "--threads", std::to_string(o.threads), "--out", o.out + "/" + demo_files::fuzz},
               Exit::disagreement});
 }
 
@@ -128,9 +128,8 @@ void run_render(Runner& runner, const Options& o) {
 
 void run_chart(Runner& runner, const Options& o) {
   runner.announce(4, "chart: speed against accuracy");
-  runner.run({"chart",
-              declare_chart,
-              {"--threads", std::to_string(o.threads), "--out", o.out + "/" + demo_files::charts}});
+  runner.run(
+      {"chart", declare_chart, {"--threads", std::to_string(o.threads), "--out", o.out + "/" + demo_files::charts}});
 }
 
 /// The plainest counterexample, in a file of its own, and what replay says of it.

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <set>
 
 #include "exact/certificate/bounds.h"
 #include "exact/certificate/certify.h"
-#include "exact/classes/class_table.h"
+#include "exact/families/family.h"
 #include "tracer/demo/html.h"
 #include "tracer/demo/page_parts.h"
 #include "tracer/demo/page_style.h"
@@ -28,7 +27,7 @@ std::string section(const std::string& title, const std::string& html) {
 // --- the verdicts ------------------------------------------------------------------------------------------------
 
 std::string sampled_line(const CertificateFigures& c) {
-  const std::string of = " of " + grouped(c.sampled) + " degenerate and nearly degenerate cases drawn at random";
+  const std::string of = " of " + grouped(c.sampled) + " hard cases, drawn at random by the families below";
   if (c.wrong > 0) {
     const double share = static_cast<double>(c.wrong) / static_cast<double>(c.sampled);
     return "<b>" + grouped(c.wrong) + " wrong</b>" + of + " (" + percent(share) + ")";
@@ -45,8 +44,8 @@ std::string evidence_line(const CertificateFigures& c) {
 std::string card(const CertificateFigures& c, const std::string& directory, const std::string& what) {
   std::string list = item(sampled_line(c));
   for (const WholeSet& set : c.whole) {
-    list += item("<b>" + grouped(set.wrong) + " wrong</b> of the " + grouped(set.size) + " in a set run whole: " +
-                 escape(set.name));
+    list += item("<b>" + grouped(set.wrong) + " wrong</b> of the " + grouped(set.size) +
+                 " in a set run whole: " + escape(set.name));
   }
   list += item(evidence_line(c));
   const std::string body = element("h3", code(c.method)) + element("div", escape(c.verdict), "class=\"verdict\"") +
@@ -72,16 +71,16 @@ std::string verdicts(const Tour& tour) {
 std::string one_counterexample(const Tour& tour) {
   const Case& c = tour.counterexample;
   const Segment& s = std::get<Segment>(c.query.probe);
-  const std::string left = element("figure", sketch(s, c.query.triangle) +
-                                                 element("figcaption", "Triangle abc and segment pq, seen along a "
-                                                                       "coordinate axis. A drawing is rounded: what "
-                                                                       "seems to touch may not."));
+  const std::string left =
+      element("figure", sketch(s, c.query.triangle) + element("figcaption",
+                                                              "Triangle abc and segment pq, seen along a "
+                                                              "coordinate axis. A drawing is rounded: what "
+                                                              "seems to touch may not."));
   const std::string command = "tribunal replay " + tour.directory + "/" + demo_files::counterexample;
   return section("One wrong answer, whole",
                  paragraph("The plainest counterexample that this run found and shrunk. " + answers_in_words(c)) +
                      element("div", left + element("div", coordinates_table(c)), "class=\"pair\"") +
-                     paragraph("Everything follows from five exact signs:") +
-                     element("div", signs_table(c), "class=\"wide\"") +
+                     paragraph(rule_in_words(c)) + element("div", signs_table(c), "class=\"wide\"") +
                      paragraph("This command shows it again, with what every method answers:") +
                      element("pre", "$ " + escape(command) + "\n" + escape(tour.replay)));
 }
@@ -98,18 +97,26 @@ std::string fuzz_row(const FuzzFigures& f) {
                            element("td", f.wrong > 0 ? element("div", "", bar) : "", "class=\"share\""));
 }
 
+std::string families() {
+  std::string list;
+  for (const Family& f : all_families()) {
+    list += item("<b>" + escape(f.name) + "</b>: " + escape(f.stresses));
+  }
+  return list;
+}
+
 std::string fuzzing(const Tour& tour) {
   std::string rows = "<tr><th>method</th><th>cases judged</th><th>wrong</th><th>share</th><th></th></tr>\n";
   for (const FuzzFigures& f : tour.fuzz) rows += fuzz_row(f);
   return section("Several methods, the same hunt",
-                 paragraph("Fuzzing makes cases on purpose where they are hard: all 163 ways in which five points can "
-                           "lie, stretched by random maps with ever longer numbers, and neighbours of these some units "
-                           "in the last place away. Binary32 methods are judged only on coordinates that binary32 "
-                           "holds. " +
+                 paragraph("Fuzzing makes cases on purpose where they are hard. Binary32 methods are judged only on "
+                           "coordinates that binary32 holds. " +
                            code("mt-") +
                            " is the test of M&ouml;ller and Trumbore; it calls a segment in the triangle's plane a "
                            "miss, and is judged by that convention.") +
                      element("div", element("table", rows), "class=\"wide\"") +
+                     paragraph("The cases come from these families, in equal parts:") +
+                     element("ul", families(), "class=\"families\"") +
                      paragraph("Such cases are not random ones. On random points double precision is nearly always "
                                "right, as the charts below show; in meshes, where rays run along edges and through "
                                "vertices, they are everyday."));
@@ -118,8 +125,8 @@ std::string fuzzing(const Tour& tour) {
 // --- the pictures ------------------------------------------------------------------------------------------------
 
 std::string picture(const std::string& file, const std::string& caption) {
-  return element("figure", "<img src=\"" + escape(file) + "\" alt=\"" + caption + "\">" +
-                               element("figcaption", caption));
+  return element("figure",
+                 "<img src=\"" + escape(file) + "\" alt=\"" + caption + "\">" + element("figcaption", caption));
 }
 
 /// A window of a picture, enlarged by the style sheet alone; lengths are in percent of the window.
@@ -142,16 +149,23 @@ std::string crops(const PictureFigures& f) {
                  "class=\"pictures\"");
 }
 
+std::string remark(const PictureFigures& f) {
+  if (f.pixels == 0) {
+    return "That clears this picture and not the method: its rays met none of the cases in which it is wrong.";
+  }
+  std::string text = "On " + grouped(f.pixels) + " pixels some decision differs; " + grouped(f.other_colour) +
+                     " of these show it in their colour.";
+  if (f.fmt == "binary32") {
+    text += " The scene was rounded to binary32 for both beforehand, so none of this comes from the rounding of input.";
+  }
+  return text;
+}
+
 std::string comparison(const PictureFigures& f) {
   const std::string all = grouped(static_cast<std::uint64_t>(f.width) * static_cast<std::uint64_t>(f.height));
-  std::string text = code(f.method) + " against exact arithmetic: ";
-  text += f.pixels == 0 ? "<b>no pixel of " + all + " differs</b>"
-                        : "<b>" + grouped(f.other_colour) + " of " + all + " pixels have another colour</b>, " +
-                              grouped(f.pixels) + " come from some other decision";
-  if (f.fmt == "binary32") {
-    text += ". The scene was rounded to binary32 first, for both, so that none of this comes from the rounding of input";
-  }
-  return element("h3", text) +
+  const std::string title =
+      f.pixels == 0 ? "no pixel differs" : grouped(f.other_colour) + " of " + all + " pixels have another colour";
+  return element("h3", code(f.method) + " against exact arithmetic: " + title) + paragraph(remark(f)) +
          element("div",
                  picture(exact_picture(f.method), "exact (sf-rational)") +
                      picture(own_picture(f.method), escape(f.method)) +
@@ -183,7 +197,8 @@ std::string charts(const Tour& tour) {
   return section("Speed against accuracy",
                  chart("speed-accuracy",
                        "Each mark is a method: to the left is faster, down is right more often, and all were given the "
-                       "same cases. A method that was never wrong is not drawn at zero, which no sample can show: its "
+                       "same cases (those of one format, where the figure says so). A method that was never wrong is "
+                       "not drawn at zero, which no sample can show: its "
                        "hollow mark stands at the most that its share of wrong answers may be, with 95 % confidence. " +
                            cost_in_words(tour.chart)) +
                      chart("onset",
@@ -197,15 +212,18 @@ std::string charts(const Tour& tour) {
 // --- limits, and further -----------------------------------------------------------------------------------------
 
 std::string limits(const Tour& tour) {
-  std::string list = item("<b>Proved</b> is only what was run whole: small integer coordinates. The rest is sampled, and "
-                          "its bounds speak of the cases that these generators make, not of your data.");
+  std::string list = item(
+      "<b>Proved</b> is only what was run whole: small integer coordinates. The rest is sampled, and "
+      "its bounds speak of the cases that these generators make, not of your data.");
   for (const auto& [reason, strata] : tour.exact.gaps) {
     list += item(grouped(strata) + " of the sampled strata hold no case: " + escape(reason) + ".");
   }
-  list += item("The certificates speak of segments and triangles. Rays are tried here by the pictures only; polygons "
-               "with more corners not at all.");
-  list += item("Coordinates are taken as the exact numbers that they are. What was rounded before, in your file or "
-               "your modeller, is no part of the trial.");
+  list += item(
+      "The certificates speak of segments and triangles. Rays are tried here by the pictures only; polygons "
+      "with more corners not at all.");
+  list += item(
+      "Coordinates are taken as the exact numbers that they are. What was rounded before, in your file or "
+      "your modeller, is no part of the trial.");
   list += item("Times are those of this machine under this run's load; compare ratios.");
   return section("What this does not say", element("ul", list));
 }
@@ -220,9 +238,10 @@ std::string further(const Tour& tour) {
                      element("pre", commands) +
                      paragraph("Your own data: put segments and triangles in a case file, one JSON object a line, and "
                                "ask any method, or put a method on trial with your cases among the rest:") +
-                     element("pre", "$ tribunal methods\n$ tribunal classify --method sf-rational,sf-double --in "
-                                    "cases.jsonl\n$ tribunal certify --method mt-double --cases cases.jsonl --out "
-                                    "certificate-mt-double\n") +
+                     element("pre",
+                             "$ tribunal methods\n$ tribunal classify --method sf-rational,sf-double --in "
+                             "cases.jsonl\n$ tribunal certify --method mt-double --cases cases.jsonl --out "
+                             "certificate-mt-double\n") +
                      paragraph(code("tribunal COMMAND --help") + " says more."));
 }
 
@@ -233,14 +252,14 @@ std::string head() {
 }
 
 std::string masthead() {
-  return element("header",
-                 element("div", element("h1", "Does this segment hit that triangle?") +
-                                    paragraph("Ray tracers, collision detection, CAD and GIS ask it millions of times a "
-                                              "second, in floating point, and sometimes get the wrong answer: a ray "
-                                              "slips through a closed surface, two solids overlap unnoticed.") +
-                                    paragraph("Tribunal puts such tests on trial against exact arithmetic. This page "
-                                              "shows one run: which test may be trusted, where the other fails, and "
-                                              "what being right costs.")));
+  return element(
+      "header", element("div", element("h1", "Does this segment hit that triangle?") +
+                                   paragraph("Ray tracers, collision detection, CAD and GIS ask it millions of times a "
+                                             "second, in floating point, and sometimes get the wrong answer: a ray "
+                                             "slips through a closed surface, two solids overlap unnoticed.") +
+                                   paragraph("Tribunal puts such tests on trial against exact arithmetic. This page "
+                                             "shows one run: which test may be trusted, where the other fails, and "
+                                             "what being right costs.")));
 }
 
 std::string footer(const Tour& tour) {

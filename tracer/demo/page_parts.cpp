@@ -1,8 +1,10 @@
 #include "tracer/demo/page_parts.h"
 
+#include <array>
 #include <charconv>
 #include <cstdio>
 
+#include "core/kernel.h"
 #include "exact/classes/class_table.h"
 #include "tracer/demo/html.h"
 
@@ -49,11 +51,29 @@ constexpr SignRow sign_rows[] = {
     {"pqca", "orient(p, q, c, a)", "it passes edge ca on one side", "it meets the line ca exactly",
      "it passes edge ca on the other side"}};
 
-std::string sign_row(const SignRow& row, int sign) {
-  const char* const mark = sign < 0 ? "&minus;" : sign > 0 ? "+" : "0";
-  const char* const meaning = sign < 0 ? row.negative : sign > 0 ? row.positive : row.zero;
+/// The five signs as rounded arithmetic has them, in the order of the table.
+std::array<int, 5> rounded_signs(const Case& c) {
+  const FormulaKernel<double> k;
+  const auto& [p, q] = std::get<Segment>(c.query.probe);
+  const Triangle& t = c.query.triangle;
+  return {value(k.orient3d(t.a, t.b, t.c, p)), value(k.orient3d(t.a, t.b, t.c, q)), value(k.orient3d(p, t.a, t.b, q)),
+          value(k.orient3d(p, t.b, t.c, q)), value(k.orient3d(p, t.c, t.a, q))};
+}
+
+std::array<int, 5> exact_signs(const Case& c) {
+  std::array<int, 5> signs;
+  for (std::size_t i = 0; i < 5; ++i) signs[i] = c.finding.at("exact").at(sign_rows[i].key);
+  return signs;
+}
+
+const char* mark(int sign) { return sign < 0 ? "&minus;" : sign > 0 ? "+" : "0"; }
+
+std::string sign_row(const SignRow& row, int exact, int rounded) {
+  const char* const meaning = exact < 0 ? row.negative : exact > 0 ? row.positive : row.zero;
+  const std::string colour = exact == rounded ? "" : " class=\"answer bad\"";
   return element("tr", element("td", std::string("<code>") + row.determinant + "</code>") +
-                           element("td", std::string("<b>") + mark + "</b>", "class=\"number\"") +
+                           element("td", std::string("<b>") + mark(exact) + "</b>", "class=\"number\"") +
+                           element("td", "<b" + colour + ">" + mark(rounded) + "</b>", "class=\"number\"") +
                            element("td", meaning));
 }
 
@@ -88,15 +108,27 @@ std::string answers_in_words(const Case& c) {
 std::string coordinates_table(const Case& c) {
   const Segment& s = std::get<Segment>(c.query.probe);
   const Triangle& t = c.query.triangle;
-  const std::string rows = point_row("p", s.p) + point_row("q", s.q) + point_row("a", t.a) + point_row("b", t.b) +
-                           point_row("c", t.c);
+  const std::string rows =
+      point_row("p", s.p) + point_row("q", s.q) + point_row("a", t.a) + point_row("b", t.b) + point_row("c", t.c);
   return element("div", element("table", rows), "class=\"wide\"");
 }
 
+std::string rule_in_words(const Case& c) {
+  const std::array<int, 5> exact = exact_signs(c), rounded = rounded_signs(c);
+  int wrong = 0;
+  for (std::size_t i = 0; i < 5; ++i) wrong += exact[i] != rounded[i];
+  return "The test looks at five signs. It is a miss if p and q lie strictly on one side of the triangle's plane, or "
+         "if "
+         "one of the last three signs equals the side on which p lies (where p is in the plane: is opposite to the "
+         "side "
+         "of q); otherwise it is a hit. Double precision gets " +
+         std::to_string(wrong) + " of the five wrong here:";
+}
+
 std::string signs_table(const Case& c) {
-  const Json& exact = c.finding.at("exact");
-  std::string rows = "<tr><th>determinant</th><th>exact sign</th><th>what it says</th></tr>\n";
-  for (const SignRow& row : sign_rows) rows += sign_row(row, exact.at(row.key).get<int>());
+  const std::array<int, 5> exact = exact_signs(c), rounded = rounded_signs(c);
+  std::string rows = "<tr><th>determinant</th><th>exact</th><th>double</th><th>what the exact sign says</th></tr>\n";
+  for (std::size_t i = 0; i < 5; ++i) rows += sign_row(sign_rows[i], exact[i], rounded[i]);
   return element("table", rows);
 }
 
@@ -104,8 +136,8 @@ std::string cost_in_words(const Json& chart) {
   const std::string random = cost_on(chart, "general", "on random points");
   const std::string degenerate = cost_on(chart, "degenerate", "on exactly degenerate ones");
   if (random.empty() || degenerate.empty()) return {};
-  return "In this run the exact test with a filter, <code>sf-epick</code>, took " + random + " as <code>sf-double</code>, " +
-         degenerate + ".";
+  return "In this run the exact test with a filter, <code>sf-epick</code>, took " + random +
+         " as <code>sf-double</code>, " + degenerate + ".";
 }
 
 }  // namespace tribunal

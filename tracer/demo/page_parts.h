@@ -13,7 +13,10 @@ std::string answers_in_words(const Case& c);
 /// The five points: shortest decimals that give them back, and hex floats.
 std::string coordinates_table(const Case& c);
 
-/// The five exact signs of its finding, each with what it says.
+/// How the test of Segura and Feito decides by five signs, and whether double precision gets them right here.
+std::string rule_in_words(const Case& c);
+
+/// The five signs, exact and as double precision has them, each with what the exact one says.
 std::string signs_table(const Case& c);
 
 /// How many times longer an exact answer takes, from a chart.json; empty if it lacks the methods.

@@ -24,11 +24,13 @@ pre { background: #151c28; color: #e6eaf0; padding: 14px 18px; border-radius: 8p
 .card .verdict { font-size: 30px; font-weight: 700; line-height: 1.2; margin: 2px 0 10px }
 .bad .verdict { color: var(--bad) } .good .verdict { color: var(--good) }
 .card ul { margin: 0; padding-left: 19px } .card li { margin-bottom: 7px }
+.families { columns: 2; column-gap: 36px; padding-left: 19px; font-size: 15px } .families li { break-inside: avoid }
 .wide { overflow-x: auto }
 table { border-collapse: collapse; margin: 8px 0 18px; font-size: 15px }
 th { text-align: left; font-weight: 600; color: var(--faint) }
 th, td { padding: 6px 18px 6px 0; border-bottom: 1px solid var(--line); vertical-align: top }
 td.number { text-align: right; white-space: nowrap; font-size: 14px }
+td:first-child code { white-space: nowrap }
 td.share { min-width: 200px } .share div { background: var(--bad); height: 10px; border-radius: 2px; margin-top: 8px }
 figure { margin: 0 0 26px } figure img { width: 100%; height: auto; display: block; border-radius: 6px }
 figure.chart img { border: 1px solid var(--line); padding: 8px }
@@ -46,7 +48,9 @@ footer dl { display: grid; grid-template-columns: max-content 1fr; gap: 2px 16px
 @media (max-width: 760px) {
   .cards, .pair { grid-template-columns: 1fr } .pictures { grid-template-columns: 1fr }
   header { padding: 36px 0 28px } header h1 { font-size: 34px } h2 { margin-top: 44px; font-size: 24px }
-  figure.chart { overflow-x: auto } figure.chart img { min-width: 720px } td.share { min-width: 90px }
+  .families { columns: 1 }
+  figure.chart { overflow-x: auto } figure.chart img { min-width: 720px } td:first-child code { white-space: nowrap }
+td.share { min-width: 90px }
 }
 )css";
 

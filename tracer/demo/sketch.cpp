@@ -57,8 +57,8 @@ std::string sketch(const Segment& s, const Triangle& t) {
   for (std::size_t i = 0; i < 5; ++i) {
     at[i] = {scaled(points[i][across], x, width), height - scaled(points[i][up], y, height)};
   }
-  std::string svg = formatted("<svg viewBox=\"0 0 %g %g\" role=\"img\" aria-label=\"sketch of the five points\">", width,
-                              height);
+  std::string svg =
+      formatted("<svg viewBox=\"0 0 %g %g\" role=\"img\" aria-label=\"sketch of the five points\">", width, height);
   svg += formatted("<polygon points=\"%.1f,%.1f %.1f,%.1f %.1f,%.1f\"/>", at[0].x, at[0].y, at[1].x, at[1].y, at[2].x,
                    at[2].y);
   svg += formatted("<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\"/>", at[3].x, at[3].y, at[4].x, at[4].y);

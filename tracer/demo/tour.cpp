@@ -1,6 +1,7 @@
 #include "tracer/demo/tour.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <map>
 
@@ -9,16 +10,26 @@
 namespace tribunal {
 namespace {
 
-bool is_degenerate(const Case& c) {
-  if (c.class_id == 0 || !std::holds_alternative<Segment>(c.query.probe)) return true;
-  const ClassRow& row = class_row(c.class_id);
-  return row.triangle != "tri" || row.segment != "seg";
+std::vector<double> coordinates_of(const Case& c) {
+  const Triangle& t = c.query.triangle;
+  std::vector<Point3> points{t.a, t.b, t.c};
+  if (const auto* s = std::get_if<Segment>(&c.query.probe)) points.insert(points.end(), {s->p, s->q});
+  std::vector<double> coordinates;
+  for (const Point3& p : points) coordinates.insert(coordinates.end(), {p.x, p.y, p.z});
+  return coordinates;
 }
 
-std::size_t length_of(const Case& c) {
-  const Json line = from_case(c);
-  return line.value("seg", Json()).dump().size() + line["tri"].dump().size();
+/// Degenerate operands, all five points in one plane, or coordinates of a size that one does not meet every day.
+bool is_special(const Case& c) {
+  if (c.class_id == 0 || !std::holds_alternative<Segment>(c.query.probe)) return true;
+  const ClassRow& row = class_row(c.class_id);
+  const auto is_everyday = [](double x) { return x == 0 || (std::fabs(x) > 1e-4 && std::fabs(x) < 1e4); };
+  return row.triangle != "tri" || row.segment != "seg" || row.rank < 4 ||
+         !std::ranges::all_of(coordinates_of(c), is_everyday);
 }
+
+/// Length of the coordinates in decimal.
+std::size_t length_of(const Case& c) { return Json(coordinates_of(c)).dump().size(); }
 
 }  // namespace
 
@@ -67,7 +78,7 @@ PictureFigures picture_figures(const Json& stats, const std::vector<Case>& cases
 }
 
 const Case& plainest(const std::vector<Case>& cases) {
-  return *std::ranges::min_element(cases, {}, [](const Case& c) { return std::pair(is_degenerate(c), length_of(c)); });
+  return *std::ranges::min_element(cases, {}, [](const Case& c) { return std::pair(is_special(c), length_of(c)); });
 }
 
 }  // namespace tribunal

@@ -62,8 +62,8 @@ std::vector<FuzzFigures> fuzz_figures(const Json& summary);
 /// `stats` compares the reference (first) with a method; `cases` are the differing pixels'.
 PictureFigures picture_figures(const Json& stats, const std::vector<Case>& cases);
 
-/// The counterexample that is easiest on a reader: a segment and a triangle with area if there is one, with the
-/// shortest coordinates. There is at least one case.
+/// The counterexample that is easiest on a reader: a segment and a triangle with area, not in one plane, of
+/// everyday size, if there is one; of these the one with the shortest coordinates. There is at least one case.
 const Case& plainest(const std::vector<Case>& cases);
 
 }  // namespace tribunal
