@@ -140,7 +140,7 @@ def speed_accuracy(chart):
             ax.plot([t["lower_quartile"], t["upper_quartile"]], [r["answers"]["drawn"]] * 2,
                     color=colour_of(r["method"]), lw=1.6)
             draw_point(ax, t["median"], r["answers"], r["method"])
-        panels = [p for p in chart["panels"] if p["population"] == key]
+        panels = [p for p in chart["panels"] if p["population"] == key and p["cases"]]
         ax.set_title(panels[0]["title"], pad=54)
         ax.text(0, 1.15, panels[0]["about"] + "\n" + caption(panels, own), transform=ax.transAxes, fontsize=8,
                 color="#555555", va="top", linespacing=1.4)

@@ -71,11 +71,11 @@ std::string verdicts(const Tour& tour) {
 std::string one_counterexample(const Tour& tour) {
   const Case& c = tour.counterexample;
   const Segment& s = std::get<Segment>(c.query.probe);
-  const std::string left =
-      element("figure", sketch(s, c.query.triangle) + element("figcaption",
-                                                              "Triangle abc and segment pq, seen along a "
-                                                              "coordinate axis. A drawing is rounded: what "
-                                                              "seems to touch may not."));
+  const std::string left = element(
+      "figure",
+      sketch(s, c.query.triangle) +
+          element("figcaption",
+                  "Triangle abc and segment pq, seen at a slant. A drawing is rounded: what seems to touch may not."));
   const std::string command = "tribunal replay " + tour.directory + "/" + demo_files::counterexample;
   return section("One wrong answer, whole",
                  paragraph("The plainest counterexample that this run found and shrunk. " + answers_in_words(c)) +
@@ -216,7 +216,7 @@ std::string limits(const Tour& tour) {
       "<b>Proved</b> is only what was run whole: small integer coordinates. The rest is sampled, and "
       "its bounds speak of the cases that these generators make, not of your data.");
   for (const auto& [reason, strata] : tour.exact.gaps) {
-    list += item(grouped(strata) + " of the sampled strata hold no case: " + escape(reason) + ".");
+    list += item(grouped(strata) + " pairs of a family and a class have no case: " + escape(reason) + ".");
   }
   list += item(
       "The certificates speak of segments and triangles. Rays are tried here by the pictures only; polygons "

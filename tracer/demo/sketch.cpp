@@ -13,28 +13,45 @@ using Points = std::array<Point3, 5>;  // a b c p q
 
 struct Range {
   double low, high;
-  double extent() const { return high - low; }
+
+  /// x as a share of the range; its middle if it is a single value.
+  double place_of(double x) const { return high > low ? (x - low) / (high - low) : 0.5; }
 };
 
-Range range_of(const Points& points, int axis) {
-  const auto [low, high] = std::ranges::minmax(points, {}, [&](const Point3& p) { return p[axis]; });
-  return {low[axis], high[axis]};
-}
-
-/// The two axes other than the one of least extent, in order.
-std::array<int, 2> shown_axes(const Points& points) {
-  const std::array<int, 3> axes{0, 1, 2};
-  const int hidden = std::ranges::min(axes, {}, [&](int axis) { return range_of(points, axis).extent(); });
-  return {hidden == 0 ? 1 : 0, hidden == 2 ? 1 : 2};
-}
-
-double scaled(double x, const Range& range, double size) {
-  return range.extent() > 0 ? margin + (x - range.low) / range.extent() * (size - 2 * margin) : size / 2;
+template <class Items, class Value>
+Range range_of(const Items& items, const Value& value) {
+  const auto [low, high] = std::ranges::minmax(items, {}, value);
+  return {value(low), value(high)};
 }
 
 struct Spot {
   double x, y;
 };
+
+/// Seen at a slant: x to the right and a little up, y to the left and up, z up.
+std::array<Spot, 5> slanted(const Points& points) {
+  std::array<Range, 3> ranges;
+  for (int axis = 0; axis < 3; ++axis) {
+    ranges[static_cast<std::size_t>(axis)] = range_of(points, [&](const Point3& p) { return p[axis]; });
+  }
+  std::array<Spot, 5> spots;
+  for (std::size_t i = 0; i < 5; ++i) {
+    const double x = ranges[0].place_of(points[i].x), y = ranges[1].place_of(points[i].y);
+    spots[i] = {0.9 * x - 0.6 * y, 0.25 * x + 0.4 * y + 0.9 * ranges[2].place_of(points[i].z)};
+  }
+  return spots;
+}
+
+/// Fills the drawing but for a margin, the second coordinate upward.
+std::array<Spot, 5> fitted(std::array<Spot, 5> spots) {
+  const Range across = range_of(spots, [](const Spot& s) { return s.x; });
+  const Range up = range_of(spots, [](const Spot& s) { return s.y; });
+  for (Spot& s : spots) {
+    s.x = margin + across.place_of(s.x) * (width - 2 * margin);
+    s.y = height - margin - up.place_of(s.y) * (height - 2 * margin);
+  }
+  return spots;
+}
 
 std::string formatted(const char* format, auto... values) {
   char text[200];
@@ -50,13 +67,7 @@ std::string dot(const Spot& s, const char* name, const char* style) {
 }  // namespace
 
 std::string sketch(const Segment& s, const Triangle& t) {
-  const Points points{t.a, t.b, t.c, s.p, s.q};
-  const auto [across, up] = shown_axes(points);
-  const Range x = range_of(points, across), y = range_of(points, up);
-  std::array<Spot, 5> at;
-  for (std::size_t i = 0; i < 5; ++i) {
-    at[i] = {scaled(points[i][across], x, width), height - scaled(points[i][up], y, height)};
-  }
+  const std::array<Spot, 5> at = fitted(slanted({t.a, t.b, t.c, s.p, s.q}));
   std::string svg =
       formatted("<svg viewBox=\"0 0 %g %g\" role=\"img\" aria-label=\"sketch of the five points\">", width, height);
   svg += formatted("<polygon points=\"%.1f,%.1f %.1f,%.1f %.1f,%.1f\"/>", at[0].x, at[0].y, at[1].x, at[1].y, at[2].x,

@@ -7,8 +7,7 @@
 
 namespace tribunal {
 
-/// Inline SVG: both seen along the coordinate axis in which they extend least, each axis scaled on its own. A likeness;
-/// what it shows is rounded.
+/// Inline SVG: both seen at a slant, each axis scaled on its own. A likeness; what it shows is rounded.
 std::string sketch(const Segment& s, const Triangle& t);
 
 }  // namespace tribunal
