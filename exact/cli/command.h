@@ -29,6 +29,9 @@ std::vector<std::string> split(const std::string& comma_separated);
 /// The default number of worker threads: one for each core.
 unsigned default_threads();
 
+/// A check of an option: a number above 0.
+CLI::Validator above_zero();
+
 /// --threads, defaulting to default_threads().
 void add_threads_option(CLI::App& app, unsigned& threads);
 

@@ -166,8 +166,8 @@ Action declare_fuzz(CLI::App& app) {
   app.add_option("--method", o->methods, "methods, separated by commas")->capture_default_str();
   app.add_option("--family", o->families, family_help());
   app.add_option("--seed", o->seed, "seed of the cases")->capture_default_str();
-  auto* count = app.add_option("--count", o->count, "cases in all (default 500000)")->check(CLI::PositiveNumber);
-  app.add_option("--seconds", o->seconds, "run for a time instead")->check(CLI::PositiveNumber)->excludes(count);
+  auto* count = app.add_option("--count", o->count, "cases in all (default 500000)")->check(above_zero());
+  app.add_option("--seconds", o->seconds, "run for a time instead")->check(above_zero())->excludes(count);
   add_threads_option(app, o->threads);
   app.add_option("--keep", o->keep, "counterexamples to shrink and write, a method")->capture_default_str();
   app.add_flag("--levels", o->levels, "show each level of the stress axes");

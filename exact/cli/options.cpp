@@ -37,6 +37,16 @@ std::vector<Method> methods_named(const std::string& comma_separated) {
 
 unsigned default_threads() { return std::max(1U, std::thread::hardware_concurrency()); }
 
+CLI::Validator above_zero() {
+  return CLI::Validator(
+      [](std::string& text) {
+        double x = 0;
+        const bool good = CLI::detail::lexical_cast(text, x) && x > 0;
+        return good ? std::string() : "expected a number above 0, found " + text;
+      },
+      "");
+}
+
 void add_threads_option(CLI::App& app, unsigned& threads) {
   threads = default_threads();
   app.add_option("--threads", threads, "worker threads")->check(CLI::Range(1U, 1024U))->capture_default_str();
