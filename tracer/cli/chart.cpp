@@ -43,7 +43,7 @@ Action declare_chart(CLI::App& app) {
   app.add_option("--method,--methods", o->methods, "methods, separated by commas (default all)");
   app.add_option("--seed", o->plan.seed, "seed of the cases")->capture_default_str();
   app.add_option("--count", o->plan.cases, "cases judged, of each population and format")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->capture_default_str();
   app.add_option("--repetitions", o->plan.repetitions, "times that every method is timed")
       ->check(CLI::Range(9, 10'000))
