@@ -1,0 +1,68 @@
+#!/usr/bin/env bash
+# methods, classify, fuzz, shrink, replay and certify from end to end, with input written by hand.
+set -euo pipefail
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch"
+
+expect() {
+  local expected=$1 status=0
+  shift
+  "$TRIBUNAL" "$@" >out 2>err || status=$?
+  [ "$status" -eq "$expected" ] || { echo "tribunal $*: exit $status, expected $expected" >&2; cat out err >&2; exit 1; }
+}
+says() { grep -qF -- "$2" "$1" || { echo "expected '$2' in $1:" >&2; cat "$1" >&2; exit 1; }; }
+
+expect 0 methods && says out sf-rational && says out 'Möller & Trumbore 1997'
+expect 0 methods --json && says out '"name":"mt-float"'
+
+cat >cases.jsonl <<'EOF'
+{"id":"through","seg":[[0.25,0.25,1],[0.25,0.25,-1]],"tri":[[0,0,0],[1,0,0],[0,1,0]]}
+{"id":"corner","fmt":"binary32","seg":[[0,0,"0x1p+0"],[0,0,-1]],"tri":[[0,0,0],[1,0,0],[0,1,0]]}
+
+{"id":"in the plane","ray":{"o":[-1,0.25,0],"d":[1,0,0]},"tri":[[0,0,0],[1,0,0],[0,1,0]]}
+{"id":"point on point","seg":[[1,2,3],[1,2,3]],"tri":[[1,2,3],[1,2,3],[1,2,3]]}
+EOF
+expect 0 classify --method sf-rational,mt-double --in cases.jsonl
+diff out - <<'EOF'
+{"id":"through","method":"sf-rational","hit":1,"status":"ok","class":"C016","contact":"interior","at":"between"}
+{"id":"through","method":"mt-double","hit":1,"status":"ok"}
+{"id":"corner","method":"sf-rational","hit":1,"status":"ok","class":"C017","contact":"vertex","at":"between"}
+{"id":"corner","method":"mt-double","hit":1,"status":"ok"}
+{"id":"in the plane","method":"sf-rational","hit":1,"status":"ok","contact":"coplanar"}
+{"id":"in the plane","method":"mt-double","hit":0,"status":"ok","contact":"none"}
+{"id":"point on point","method":"sf-rational","hit":1,"status":"ok","class":"C163","contact":"coplanar","at":"source"}
+{"id":"point on point","method":"mt-double","hit":0,"status":"ok","contact":"none"}
+EOF
+"$TRIBUNAL" classify --method sf-epick --out answers.jsonl <cases.jsonl
+[ "$(wc -l <answers.jsonl)" -eq 4 ]
+expect 0 replay cases.jsonl && says out 'right by its convention'
+expect 2 classify --method sf-duoble --in cases.jsonl && says err 'did you mean "sf-double"?'
+expect 2 classify --method sf-double --in cases.jsonl --out cases.jsonl && says err 'same file'
+expect 3 classify --method sf-double --in nothing.jsonl && says err 'nothing.jsonl: cannot read'
+echo '{"id":"x","sag":[]}' >typo.jsonl
+expect 3 classify --method sf-double --in typo.jsonl && says err 'typo.jsonl:1: unknown key "sag", did you mean "seg"?'
+expect 5 classify --method sf-double --in cases.jsonl --out /dev/full
+
+expect 0 fuzz --method sf-rational,sf-epick --count 3000 && says out 'affine binary64 '
+expect 1 fuzz --method sf-double --family affine --seed 7 --count 20000 --threads 1 --out one
+expect 1 fuzz --method sf-double --family affine --seed 7 --count 20000 --threads 5 --out five
+diff -r one five
+expect 1 fuzz --method sf-double --family affine --seed 8 --count 20000 --out other
+! cmp -s one/summary.json other/summary.json
+head -n 1 one/counterexamples.jsonl >first.jsonl
+expect 1 replay first.jsonl && says out 'WRONG' && says out 'exact {"abcp"'
+expect 0 shrink first.jsonl --out again.jsonl
+cmp first.jsonl again.jsonl || { echo "a shrunk case shrank again" >&2; exit 1; }
+expect 2 fuzz --count 0 && says err 'expected a number above 0'
+expect 2 fuzz --threads 0
+expect 2 fuzz --family afine && says err 'did you mean "affine"?'
+expect 2 fuzz --count 5 --seconds 5
+timeout --preserve-status -s INT 2 "$TRIBUNAL" fuzz --method sf-epick --seconds 60 >out 2>err && status=0 || status=$?
+[ "$status" -eq 130 ] || { echo "interrupted fuzz: exit $status, expected 130" >&2; exit 1; }
+
+expect 1 certify --method mt-float --out certificate --cases cases.jsonl
+says out 'mt-float: refuted' && says certificate/certificate.md '## Not covered' && says certificate/certificate.json '"verdict": "refuted"'
+expect 1 replay certificate/counterexamples.jsonl
+expect 2 certify --method sf-double,mt-float --out certificate
+expect 5 certify --method sf-double --out /proc/nowhere

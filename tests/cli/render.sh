@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# render from end to end: a real mesh, two methods, the pixels that differ, and replay of the cases behind them.
+set -euo pipefail
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$SOURCE_DIR"
+
+expect() {
+  local expected=$1 status=0
+  shift
+  "$TRIBUNAL" "$@" >"$scratch/out" 2>"$scratch/err" || status=$?
+  [ "$status" -eq "$expected" ] || { echo "tribunal $*: exit $status, expected $expected" >&2; cat "$scratch/out" "$scratch/err" >&2; exit 1; }
+}
+
+expect 0 render data/scenes/elephant.json --method mt-float --against sf-rational -o "$scratch/a.png" --stats "$scratch/a.json" --threads 2
+[ -s "$scratch/a.png" ] && [ -s "$scratch/a.diff.png" ] && [ -s "$scratch/a.cases.jsonl" ]
+grep -q '"triangle_tests"' "$scratch/a.json"
+expect 1 replay "$scratch/a.cases.jsonl"
+differing=$(wc -l <"$scratch/a.cases.jsonl")
+wrong=$(grep -c '^  mt-float .*WRONG' "$scratch/out")
+[ "$differing" -gt 50 ] && [ "$wrong" -eq "$differing" ] || { echo "$differing cases exported, mt-float wrong on $wrong" >&2; exit 1; }
+! grep -q '^  sf-rational .*WRONG' "$scratch/out"
+
+# Every exact method draws the same bytes, by any acceleration and number of threads.
+for options in 'sf-rational --accel bvh --threads 1' 'sf-epick --accel boxes --threads 2' 'sf-epeck --accel bvh --threads 7'; do
+  # shellcheck disable=SC2086  # the words are options
+  expect 0 render data/scenes/cube-grid.json --method $options -o "$scratch/exact.png"
+  sha256sum <"$scratch/exact.png"
+done | sort -u >"$scratch/hashes"
+[ "$(wc -l <"$scratch/hashes")" -eq 1 ] || { echo "exact methods draw different pictures" >&2; exit 1; }
+
+expect 3 render no/such/scene.json --method sf-double -o "$scratch/b.png"
+[ ! -e "$scratch/b.png" ]
+expect 2 render data/scenes/cube-grid.json --method sf-double --accel octree -o "$scratch/b.png"
+expect 5 render data/scenes/cube-grid.json --method sf-double -o /dev/full
