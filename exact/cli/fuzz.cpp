@@ -4,6 +4,7 @@
 
 #include "exact/classes/class_table.h"
 #include "exact/cli/command.h"
+#include "exact/cli/fuzz_relations.h"
 #include "exact/harness/counterexample.h"
 #include "exact/harness/environment.h"
 #include "exact/harness/interrupt.h"
@@ -20,7 +21,7 @@ struct Options {
   double seconds = 0;
   unsigned threads = 1;
   std::size_t keep = 20;
-  bool levels = false;
+  bool levels = false, relations = false;
 };
 
 std::vector<Stream> streams_named(const std::string& families) {
@@ -137,6 +138,7 @@ std::vector<Case> counterexamples(const FuzzPlan& plan, const FuzzReport& report
 
 int run(const Options& o) {
   const FuzzPlan plan = plan_of(o);
+  if (o.relations) return run_relations(plan, o.out);
   if (!o.out.empty()) make_directory(o.out);
   const FuzzReport report = fuzz(plan);
   if (report.cases == 0) throw Failure(Exit::resources, "no case was run");
@@ -167,9 +169,12 @@ Action declare_fuzz(CLI::App& app) {
   app.add_option("--family", o->families, family_help());
   app.add_option("--seed", o->seed, "seed of the cases")->capture_default_str();
   auto* count = app.add_option("--count", o->count, "cases in all (default 500000)")->check(above_zero());
-  app.add_option("--seconds", o->seconds, "run for a time instead")->check(above_zero())->excludes(count);
+  auto* seconds = app.add_option("--seconds", o->seconds, "run for a time instead");
+  seconds->check(above_zero())->excludes(count);
   add_threads_option(app, o->threads);
   app.add_option("--keep", o->keep, "counterexamples to shrink and write, a method")->capture_default_str();
+  app.add_flag("--relations", o->relations, "check relations between answers instead: no oracle is asked")
+      ->excludes(seconds);
   app.add_flag("--levels", o->levels, "show each level of the stress axes");
   app.add_option("--out", o->out, "directory for summary.json and counterexamples.jsonl");
   return [o] { return run(*o); };

@@ -54,6 +54,9 @@ head -n 1 one/counterexamples.jsonl >first.jsonl
 expect 1 replay first.jsonl && says out 'WRONG' && says out 'exact {"abcp"'
 expect 0 shrink first.jsonl --out again.jsonl
 cmp first.jsonl again.jsonl || { echo "a shrunk case shrank again" >&2; exit 1; }
+expect 0 fuzz --relations --method sf-rational --count 5000 && says out 'vertex-order'
+expect 1 fuzz --relations --method sf-double --count 20000 --out relations
+expect 1 replay relations/witnesses.jsonl
 expect 2 fuzz --count 0 && says err 'expected a number above 0'
 expect 2 fuzz --threads 0
 expect 2 fuzz --family afine && says err 'did you mean "affine"?'

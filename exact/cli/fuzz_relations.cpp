@@ -1,0 +1,73 @@
+#include "exact/cli/fuzz_relations.h"
+
+#include <cstdio>
+
+#include "exact/cli/command.h"
+#include "exact/harness/interrupt.h"
+#include "exact/io/case_io.h"
+#include "exact/io/failure.h"
+#include "exact/io/files.h"
+#include "exact/relations/relation.h"
+
+namespace tribunal {
+namespace {
+
+double share(const RelationCount& c) {
+  return c.asked == 0 ? 0 : static_cast<double>(c.broken) / static_cast<double>(c.asked);
+}
+
+std::string table(const FuzzPlan& plan, const std::vector<RelationCount>& counts) {
+  std::string text;
+  char line[240];
+  std::snprintf(line, sizeof line, "%-14s %-13s %10s %10s  %-10s %s\n", "method", "relation", "asked", "broken",
+                "share", "what must hold");
+  text += line;
+  for (const RelationCount& c : counts) {
+    const Relation& relation = all_relations()[c.relation];
+    std::snprintf(line, sizeof line, "%-14s %-13s %10llu %10llu  %-8.4f %% %s\n", plan.methods[c.method].name.c_str(),
+                  std::string(relation.name).c_str(), static_cast<unsigned long long>(c.asked),
+                  static_cast<unsigned long long>(c.broken), 100 * share(c), std::string(relation.statement).c_str());
+    text += line;
+  }
+  return text;
+}
+
+Json to_json(const FuzzPlan& plan, const std::vector<RelationCount>& counts) {
+  Json rows = Json::array();
+  for (const RelationCount& c : counts) {
+    rows.push_back({{"method", plan.methods[c.method].name},
+                    {"relation", all_relations()[c.relation].name},
+                    {"asked", c.asked},
+                    {"broken", c.broken}});
+  }
+  return {{"seed", plan.seed}, {"cases", plan.cases}, {"relations", rows}};
+}
+
+/// Both sides of every first witness; replay shows which side is wrong.
+std::string witnesses(const FuzzPlan& plan, const std::vector<RelationCount>& counts) {
+  std::string lines;
+  for (const RelationCount& c : counts) {
+    if (!c.witness) continue;
+    const std::string id = plan.methods[c.method].name + "-" + std::string(all_relations()[c.relation].name);
+    lines += from_case({.id = id + "-before", .query = c.witness->first}).dump() + "\n";
+    lines += from_case({.id = id + "-after", .query = c.witness->second}).dump() + "\n";
+  }
+  return lines;
+}
+
+}  // namespace
+
+int run_relations(const FuzzPlan& plan, const std::string& out) {
+  if (!out.empty()) make_directory(out);
+  const std::vector<RelationCount> counts = check_relations(plan);
+  bool any_broken = false;
+  for (const RelationCount& c : counts) any_broken |= c.broken > 0;
+  print(table(plan, counts));
+  if (!out.empty()) {
+    write_file(out + "/relations.json", to_json(plan, counts).dump(1) + "\n");
+    write_file(out + "/witnesses.jsonl", witnesses(plan, counts));
+  }
+  return exit_code_after(code(any_broken ? Exit::disagreement : Exit::ok), interrupted());
+}
+
+}  // namespace tribunal
