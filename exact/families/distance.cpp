@@ -10,10 +10,7 @@ namespace {
 constexpr int distances_64[] = {-50, -25, 0, 25, 50};
 constexpr int distances_32[] = {-20, -10, 0, 10, 20};
 
-std::span<const int> levels(Format format) {
-  if (format == Format::binary32) return distances_32;
-  return distances_64;
-}
+constexpr auto levels = by_format<distances_64, distances_32>;
 
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
   Draw draw(9, seed, k);

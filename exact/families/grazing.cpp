@@ -10,10 +10,7 @@ namespace {
 constexpr int slopes_64[] = {1, 10, 20, 30, 40, 51};
 constexpr int slopes_32[] = {1, 5, 10, 16, 22};
 
-std::span<const int> levels(Format format) {
-  if (format == Format::binary32) return slopes_32;
-  return slopes_64;
-}
+constexpr auto levels = by_format<slopes_64, slopes_32>;
 
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
   Draw draw(8, seed, k);

@@ -9,14 +9,7 @@
 namespace tribunal {
 namespace {
 
-/// Coordinates are sums of a few entries; some bits short of the significand's end keeps all of them exact.
-constexpr int bits_64[] = {4, 12, 20, 30, 40, 48};
-constexpr int bits_32[] = {4, 8, 12, 16, 19};
-
-std::span<const int> levels(Format format) {
-  if (format == Format::binary32) return bits_32;
-  return bits_64;
-}
+constexpr auto levels = lattice_bits;
 
 struct Solid {
   std::vector<std::array<int, 3>> vertices;

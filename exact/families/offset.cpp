@@ -10,10 +10,7 @@ namespace {
 constexpr int offsets_64[] = {0, 20, 40, 50};
 constexpr int offsets_32[] = {0, 10, 20, 22};
 
-std::span<const int> levels(Format format) {
-  if (format == Format::binary32) return offsets_32;
-  return offsets_64;
-}
+constexpr auto levels = by_format<offsets_64, offsets_32>;
 
 /// Entries of at most digits − 5 bits leave 2^digits − 7·2^bits ≥ 2^(digits−1) of room: more than any level.
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {

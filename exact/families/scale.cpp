@@ -10,10 +10,7 @@ namespace {
 constexpr int scales_64[] = {-1074, -1060, -1022, -537, -400, -359, -358, -323, 0, 338, 341, 400, 1020};
 constexpr int scales_32[] = {-149, -126, -75, -50, -49, 0, 41, 42, 100, 124};
 
-std::span<const int> levels(Format format) {
-  if (format == Format::binary32) return scales_32;
-  return scales_64;
-}
+constexpr auto levels = by_format<scales_64, scales_32>;
 
 /// Entries in {−1, 0, 1} keep |M·x| ≤ 7, so that 7·2¹⁰²⁰ and 7·2¹²⁴ are finite and multiples of the least subnormal
 /// are exact.

@@ -11,6 +11,18 @@ namespace tribunal {
 
 constexpr int digits_of(Format format) { return format == Format::binary32 ? 24 : 53; }
 
+/// The levels of a stress axis in each format.
+template <auto& wide, auto& narrow>
+std::span<const int> by_format(Format format) {
+  if (format == Format::binary32) return narrow;
+  return wide;
+}
+
+/// Bits of integer coordinates, or of the entries of a map, that leave room for sums of a few of them.
+inline constexpr int lattice_bits_64[] = {4, 12, 20, 30, 40, 48};
+inline constexpr int lattice_bits_32[] = {4, 8, 12, 16, 19};
+inline constexpr auto lattice_bits = by_format<lattice_bits_64, lattice_bits_32>;
+
 /// Uniform in [−1, 1] with a full significand of the format.
 inline double draw_real(Draw& draw, Format format) {
   const int digits = digits_of(format);

@@ -10,10 +10,7 @@ namespace {
 constexpr int aspects_64[] = {0, 10, 20, 30, 40, 50};
 constexpr int aspects_32[] = {0, 5, 10, 15, 20};
 
-std::span<const int> levels(Format format) {
-  if (format == Format::binary32) return aspects_32;
-  return aspects_64;
-}
+constexpr auto levels = by_format<aspects_64, aspects_32>;
 
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
   Draw draw(7, seed, k);

@@ -8,6 +8,7 @@
 
 #include "exact/classes/class_table.h"
 #include "exact/families/affine.h"
+#include "exact/families/shapes.h"
 #include "exact/families/table.h"
 
 namespace tribunal {
@@ -16,10 +17,7 @@ namespace {
 constexpr int steps_64[] = {1, 2, 3, 4, 8, 1 << 6, 1 << 10, 1 << 20};
 constexpr int steps_32[] = {1, 2, 3, 4, 8, 1 << 6, 1 << 10};
 
-std::span<const int> steps(Format format) {
-  if (format == Format::binary32) return steps_32;
-  return steps_64;
-}
+constexpr auto steps = by_format<steps_64, steps_32>;
 
 /// Bit patterns of one sign are ordered like the numbers; reflecting the negative ones orders all of them.
 template <class Float, class Int>
