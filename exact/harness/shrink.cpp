@@ -140,7 +140,7 @@ class Shrinker {
     std::vector<double> values;
     for (const Point3* v : coordinates_of(best_).v) values.push_back((*v)[axis]);
     std::ranges::sort(values);
-    values.erase(std::ranges::unique(values).begin(), values.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
     return values;
   }
 
