@@ -66,6 +66,8 @@ def check(case):
     edges = [det(d, sub(u, p), sub(v, p)) for u, v in ((a, b), (b, c), (c, a))]
     exact = dict(zip(("abcp", "abcq", "pqab", "pqbc", "pqca"), map(sign, (near, far, *edges))))
     exact |= {"t": str(near / slope)} if slope else {}
+    if "finding" not in case:
+        return False
     finding = case["finding"]
     coplanar = exact["abcp"] == exact["abcq"] == 0
     due = int(hit and not (coplanar and finding["convention"] == "transversal"))
@@ -73,6 +75,8 @@ def check(case):
 
 
 if __name__ == "__main__":
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
     cases = [json.loads(line) for line in open(sys.argv[1]) if line.strip()]
     failed = [case["id"] for case in cases if not check(case)]
     print(f"{len(cases) - len(failed)} of {len(cases)} counterexamples confirmed", *failed, sep="\n  ")

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "exact/harness/counterexample.h"
 #include "exact/methods.h"
 #include "tracer/shading/camera_rays.h"
 
@@ -80,7 +81,11 @@ Case to_case(const World& world, const Method& a, const Method& b, const Differi
   c.id = "px-" + place + "-" + std::string(name_of(parting.kind)) + "-tri" + std::to_string(*parting.triangle);
   c.format = world.format;
   c.query = {parting.probe, world.triangles[*parting.triangle]};
-  c.expect = reference_method().ask(c.query).hit;
+  const Truth truth = exact_truth(c.query);
+  c.expect = truth.hit();
+  for (const Method* m : {&a, &b}) {
+    if (judge(*m, truth, m->ask(c.query)) == Judgement::wrong) c.finding = finding_of(*m, c.query, truth);
+  }
   c.source = world.scene->file + ", pixel " + std::to_string(pixel.column) + "," + std::to_string(pixel.row) + ", " +
              std::string(name_of(parting.kind)) + " ray, solid \"" +
              world.scene->solids[world.solid_of[*parting.triangle]].name + "\": " + a.name + " against " + b.name;

@@ -98,6 +98,9 @@ void judge_own_cases(const CertifyPlan& plan, Certificate& c) {
   for (const Case& own : plan.cases) {
     if (!takes(plan.method, own.format)) continue;
     const Truth truth = exact_truth(own.query);
+    if (const std::string error = mistaken_claim(own, truth); !error.empty()) {
+      throw Failure(Exit::bad_input, own.id + ": " + error);
+    }
     const Judgement j = judge(plan.method, truth, plan.method.ask(own.query));
     c.own_cases.add(j);
     if (j != Judgement::wrong) continue;

@@ -148,7 +148,9 @@ std::string gaps_list(const Certificate& c) {
     for (std::size_t i = 1; i < std::min<std::size_t>(what.size(), 6); ++i) text += ", " + what[i];
     text += what.size() > 6 ? ", ... (all in certificate.json)\n" : "\n";
   }
-  return text + "- Rays, polygons, and every input that is not drawn from the populations above.\n";
+  return text +
+         "- Rays (unless among your own cases), polygons, and every input that is not drawn from the populations "
+         "above.\n";
 }
 
 std::string calibration_list(const Certificate& c) {
@@ -198,6 +200,11 @@ std::string to_markdown(const CertifyPlan& plan, const Certificate& c) {
       "## Sampled\n\nThe bounds are one-sided Clopper-Pearson bounds and speak of cases of these generators only. "
       "Bounds for each class, pointwise and simultaneous, are in `certificate.json`.\n\n" +
       sampled_table(c) + "\nWhere it was wrong:\n\n" + worst_classes(c) + "\n";
+  if (c.own_cases.asked > 0) {
+    text += "## Your own cases\n\n" + std::to_string(c.own_cases.wrong) + " wrong of " +
+            std::to_string(c.own_cases.judged()) + " judged; " + std::to_string(c.own_cases.unsupported) +
+            " outside the contract.\n\n";
+  }
   text += "## Not covered\n\n" + gaps_list(c) + "\n";
   text += "## Calibration\n\nThe same sample must make naive arithmetic fail:\n\n" + calibration_list(c) + "\n";
   text += "## Environment\n\n" + environment_list();

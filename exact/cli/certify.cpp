@@ -43,7 +43,7 @@ Action declare_certify(CLI::App& app) {
   app.add_option("--method", o->method, "the method on trial")->required();
   app.add_option("--budget", o->budget, "how much to run")->check(CLI::IsMember({"quick"}))->capture_default_str();
   app.add_option("--cases", o->cases, "case file of your own, judged with the rest");
-  app.add_option("--seed", o->seed, "seed of the sample")->capture_default_str();
+  app.add_option("--seed", o->seed, "seed of the sample")->check(whole_number())->capture_default_str();
   add_threads_option(app, o->threads);
   app.add_option("--out", o->out, "directory for certificate.json, certificate.md, counterexamples.jsonl")->required();
   return [o] { return run(*o); };

@@ -32,6 +32,9 @@ unsigned default_threads();
 /// A check of an option: a number above 0.
 CLI::Validator above_zero();
 
+/// A check of an option: a whole number from 0 to 2^64 − 1, in digits.
+CLI::Validator whole_number();
+
 /// --threads, defaulting to default_threads().
 void add_threads_option(CLI::App& app, unsigned& threads);
 

@@ -149,8 +149,8 @@ int run(const Options& o) {
     const std::vector<Case> cases = counterexamples(plan, report, o.keep);
     write_file(o.out + "/summary.json", summary(plan, report).dump(1) + "\n");
     write_file(o.out + "/counterexamples.jsonl", to_lines(cases));
-    print(std::to_string(cases.size()) + " counterexamples in " + o.out + "/counterexamples.jsonl; " +
-          "`tribunal replay` shows them\n");
+    print(std::to_string(cases.size()) + " counterexamples in " + o.out + "/counterexamples.jsonl" +
+          (cases.empty() ? "" : "; `tribunal replay` shows them") + "\n");
   }
   return exit_code_after(code(report.findings.empty() ? Exit::ok : Exit::disagreement), interrupted());
 }
@@ -167,12 +167,15 @@ Action declare_fuzz(CLI::App& app) {
   const auto o = std::make_shared<Options>();
   app.add_option("--method", o->methods, "methods, separated by commas")->capture_default_str();
   app.add_option("--family", o->families, family_help());
-  app.add_option("--seed", o->seed, "seed of the cases")->capture_default_str();
-  auto* count = app.add_option("--count", o->count, "cases in all (default 500000)")->check(above_zero());
+  app.add_option("--seed", o->seed, "seed of the cases")->check(whole_number())->capture_default_str();
+  auto* count =
+      app.add_option("--count", o->count, "cases in all (default 500000)")->check(whole_number())->check(above_zero());
   auto* seconds = app.add_option("--seconds", o->seconds, "run for a time instead");
   seconds->check(above_zero())->excludes(count);
   add_threads_option(app, o->threads);
-  app.add_option("--keep", o->keep, "counterexamples to shrink and write, a method")->capture_default_str();
+  app.add_option("--keep", o->keep, "counterexamples to shrink and write, a method")
+      ->check(whole_number())
+      ->capture_default_str();
   app.add_flag("--relations", o->relations, "check relations between answers instead: no oracle is asked")
       ->excludes(seconds);
   app.add_flag("--levels", o->levels, "show each level of the stress axes");

@@ -1,5 +1,6 @@
 // What several commands share.
 #include <algorithm>
+#include <charconv>
 #include <sstream>
 #include <thread>
 
@@ -43,6 +44,17 @@ CLI::Validator above_zero() {
         double x = 0;
         const bool good = CLI::detail::lexical_cast(text, x) && x > 0;
         return good ? std::string() : "expected a number above 0, found " + text;
+      },
+      "");
+}
+
+CLI::Validator whole_number() {
+  return CLI::Validator(
+      [](std::string& text) {
+        std::uint64_t x = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
+        const bool good = error == std::errc{} && end == text.data() + text.size();
+        return good ? std::string() : "expected a whole number in digits, found " + text;
       },
       "");
 }

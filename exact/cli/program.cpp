@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "exact/harness/fp_environment.h"
-#include "exact/harness/interrupt.h"
 #include "exact/io/failure.h"
 #include "exact/io/files.h"
 
@@ -78,7 +77,6 @@ int fail(Exit exit, const std::string& line) {
 int run_program(std::span<const Command> commands, int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is then a failed write, which has its own exit code
   try {
-    watch_interrupts();
     require_exact_rounding();
     return parse_and_run(commands, argc, argv);
   } catch (const Failure& failure) {

@@ -125,11 +125,25 @@ std::string to_lines(const std::vector<Case>& cases) {
   return lines;
 }
 
+std::string mistaken_claim(const Case& c, const Truth& truth) {
+  if (c.expect && *c.expect != truth.hit()) {
+    return std::string("the case expects ") + (*c.expect ? "a hit" : "no hit") + ", the exact answer is " +
+           describe(truth);
+  }
+  if (c.class_id != 0 && c.class_id != truth.class_id) {
+    return "the case claims " + class_name(c.class_id) + ", the exact answer is " + describe(truth);
+  }
+  return "";
+}
+
 std::string replay(const Case& c, bool& wrong) {
   const Truth truth = exact_truth(c.query);
   std::string text = c.id + "  (" + std::string(name_of(c.format)) + ")\n" + points_of(c.query);
   text += "  exact " + exact_evidence(c.query).dump() + "\n  exact answer " + describe(truth) + "\n";
-  if (c.expect && *c.expect != truth.hit()) text += "  the file expects otherwise: THE FILE IS WRONG\n";
+  if (const std::string error = mistaken_claim(c, truth); !error.empty()) {
+    wrong = true;
+    text += "  THE FILE IS WRONG: " + error + "\n";
+  }
   text += row("method", "answer", "contact", "verdict");
   for (const Method& method : all_methods()) {
     const Answer answer = method.ask(c.query);

@@ -23,8 +23,11 @@ Case to_counterexample(const FuzzPlan& plan, const Finding& finding);
 /// One JSON line each.
 std::string to_lines(const std::vector<Case>& cases);
 
+/// What a case's own "expect" or "class" has wrong, or nothing.
+std::string mistaken_claim(const Case& c, const Truth& truth);
+
 /// What `replay` prints of a case: points, evidence, exact answer and every method's. Sets `wrong` if some method
-/// that takes the case answers wrongly.
+/// that takes the case answers wrongly, or the case claims something false of itself.
 std::string replay(const Case& c, bool& wrong);
 
 }  // namespace tribunal

@@ -3,7 +3,8 @@
 
 namespace tribunal {
 
-/// Installs the handlers. Call once, early.
+/// Installs the handlers: for work that asks interrupted() from time to time. Anything else ends at the signal, as
+/// programs do.
 void watch_interrupts();
 
 /// The signal that asked for an end, or 0.

@@ -7,11 +7,13 @@
 #include <vector>
 
 #include "exact/harness/fp_environment.h"
+#include "exact/harness/interrupt.h"
 
 namespace tribunal {
 
 std::size_t run_blocks(std::size_t blocks, unsigned threads, const std::function<void(std::size_t, unsigned)>& work,
                        const std::function<bool()>& stop) {
+  if (stop) watch_interrupts();
   std::atomic<std::size_t> next{0};
   std::atomic<bool> halt{false};
   std::exception_ptr error;

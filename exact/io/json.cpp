@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <set>
 
 #include "exact/io/failure.h"
 
@@ -62,6 +63,18 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
+/// A parser callback that fails on the second key of one name in an object; the parser itself keeps the last.
+Json::parser_callback_t refuse_duplicates(const Where& where) {
+  return [where, open = std::vector<std::set<std::string>>()](int, Json::parse_event_t event, Json& parsed) mutable {
+    if (event == Json::parse_event_t::object_start) open.emplace_back();
+    if (event == Json::parse_event_t::object_end) open.pop_back();
+    if (event == Json::parse_event_t::key && !open.back().insert(parsed.get<std::string>()).second) {
+      where.fail("key \"" + parsed.get<std::string>() + "\" twice in one object");
+    }
+    return true;
+  };
+}
+
 /// What the parser says, without its tag "[json.exception.…] ".
 std::string after_tag(const std::string& what) {
   const std::size_t tag_end = what.find("] ");
@@ -114,7 +127,7 @@ Json from_point(const Point3& p) { return Json::array({hex_float(p.x), hex_float
 Json parse_json(std::string_view text, const Where& where) {
   if (depth_of(text) > max_depth) where.fail("nested deeper than " + std::to_string(max_depth) + " levels");
   try {
-    return Json::parse(text);
+    return Json::parse(text, refuse_duplicates(where));
   } catch (const nlohmann::json::parse_error& e) {
     Where at = where;
     if (at.line == 0)

@@ -42,6 +42,10 @@ expect 2 classify --method sf-double --in cases.jsonl --out cases.jsonl && says 
 expect 3 classify --method sf-double --in nothing.jsonl && says err 'nothing.jsonl: cannot read'
 echo '{"id":"x","sag":[]}' >typo.jsonl
 expect 3 classify --method sf-double --in typo.jsonl && says err 'typo.jsonl:1: unknown key "sag", did you mean "seg"?'
+echo '{"id":"x","id":"y","seg":[[0,0,1],[0,0,-1]],"tri":[[0,0,0],[1,0,0],[0,1,0]]}' >twice.jsonl
+expect 3 classify --method sf-double --in twice.jsonl && says err 'twice.jsonl:1: key "id" twice in one object'
+echo '{"id":"liar","seg":[[0,0,1],[0,0,-1]],"tri":[[0,0,0],[1,0,0],[0,1,0]],"expect":0}' >liar.jsonl
+expect 1 replay liar.jsonl && says out 'THE FILE IS WRONG: the case expects no hit'
 expect 5 classify --method sf-double --in cases.jsonl --out /dev/full
 
 expect 0 fuzz --method sf-rational,sf-epick --count 3000 && says out 'affine binary64 '
@@ -58,6 +62,7 @@ expect 0 fuzz --relations --method sf-rational --count 5000 && says out 'vertex-
 expect 1 fuzz --relations --method sf-double --count 20000 --out relations
 expect 1 replay relations/witnesses.jsonl
 expect 2 fuzz --count 0 && says err 'expected a number above 0'
+expect 2 fuzz --seed -1 && says err 'expected a whole number'
 expect 2 fuzz --threads 0
 expect 2 fuzz --family afine && says err 'did you mean "affine"?'
 expect 2 fuzz --count 5 --seconds 5

@@ -29,6 +29,9 @@ for options in 'sf-rational --accel bvh --threads 1' 'sf-epick --accel boxes --t
 done | sort -u >"$scratch/hashes"
 [ "$(wc -l <"$scratch/hashes")" -eq 1 ] || { echo "exact methods draw different pictures" >&2; exit 1; }
 
+/usr/bin/python3 docs/check_counterexample.py "$scratch/a.cases.jsonl"
+expect 2 render data/scenes/cube-grid.json --method cgal-epick -o "$scratch/b.png"
+expect 2 render data/scenes/cube-grid.json --method sf-double -o "$scratch/b.png" --stats "$scratch/b.png"
 expect 3 render no/such/scene.json --method sf-double -o "$scratch/b.png"
 [ ! -e "$scratch/b.png" ]
 expect 2 render data/scenes/cube-grid.json --method sf-double --accel octree -o "$scratch/b.png"

@@ -150,12 +150,22 @@ std::string describe(const Findings& f, const Options& o, std::size_t pixels) {
 
 // --- the command -------------------------------------------------------------------------------------------------
 
+/// A method whose contract has no rays would draw an empty picture.
+void require_rays(const Method& method) {
+  const Ray ray{{0.25, 0.25, 1}, {{0, 0, -1}}};
+  if (method.ray(ray, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}).status == Status::unsupported) {
+    throw Failure(Exit::usage, method.name + " does not take rays (its contract: " + method.contract + ")");
+  }
+}
+
 int run(const Options& o) {
   std::vector<Method> methods{method_named(o.method)};
   if (!o.against.empty()) methods.push_back(method_named(o.against));
+  for (const Method& m : methods) require_rays(m);
   if (o.out == "-") throw Failure(Exit::usage, "-o: expected a file name, found \"-\"");
   require_different(o.scene, o.out);
   if (!o.stats.empty()) require_different(o.scene, o.stats);
+  if (o.stats == o.out) throw Failure(Exit::usage, "--stats: the same file as -o");
   const Scene scene = read_scene(o.scene);
   const auto is_binary32 = [](const Method& m) { return m.format == Format::binary32; };
   const bool narrow = std::any_of(methods.begin(), methods.end(), is_binary32);
