@@ -38,7 +38,7 @@ Rendering render(const World& world, const Method& method, const RenderOptions& 
     render_row(world, rays, static_cast<int>(row), options.depth, tracers[worker], out);
     progress.add(1);
   };
-  const std::size_t done = run_blocks(rows, options.threads, work, [] { return interrupted() != 0; });
+  const std::size_t done = run_blocks(rows, options.threads, work);
   if (done < rows || interrupted() != 0) {
     throw Failure(interrupted() == SIGTERM ? Exit::terminated : Exit::interrupted,
                   "render: interrupted, nothing written");

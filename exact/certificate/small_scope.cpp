@@ -5,7 +5,6 @@
 #include <bitset>
 
 #include "exact/classes/class_table.h"
-#include "exact/harness/interrupt.h"
 #include "exact/harness/parallel.h"
 #include "exact/harness/progress.h"
 
@@ -128,13 +127,10 @@ ScopeResult lattice_run(const Method& method, int side, unsigned threads) {
   const std::string name = "all ordered tuples of {0.." + std::to_string(side - 1) + "}^3";
   std::vector<Part> parts(triangles);
   Progress progress(name, "cases", triangles * n * n);
-  run_blocks(
-      triangles, threads,
-      [&](std::size_t i, unsigned) {
-        parts[i] = run_triangle(method, {points[i / n / n], points[i / n % n], points[i % n]}, points);
-        progress.add(n * n, parts[i].count.wrong);
-      },
-      [] { return interrupted() != 0; });
+  run_blocks(triangles, threads, [&](std::size_t i, unsigned) {
+    parts[i] = run_triangle(method, {points[i / n / n], points[i / n % n], points[i % n]}, points);
+    progress.add(n * n, parts[i].count.wrong);
+  });
 
   Part total;
   for (const Part& part : parts) {

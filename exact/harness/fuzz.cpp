@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "exact/classes/class_table.h"
-#include "exact/harness/interrupt.h"
 #include "exact/harness/parallel.h"
 #include "exact/harness/progress.h"
 
@@ -95,7 +94,7 @@ FuzzReport fuzz(const FuzzPlan& plan) {
     for (std::uint64_t g = block * block_size; g < end; ++g) run_case(plan, g, workers[w]);
     progress.add(end - block * block_size, workers[w].wrong - wrong_before);
   };
-  const auto stop = [&] { return interrupted() != 0 || (plan.seconds > 0 && progress.elapsed() > plan.seconds); };
+  const auto stop = [&] { return plan.seconds > 0 && progress.elapsed() > plan.seconds; };
   const std::size_t done = run_blocks(blocks, plan.threads, work, stop);
 
   FuzzReport report{std::min(plan.cases, done * block_size), progress.elapsed(), CountTable(plan), {}};

@@ -13,7 +13,7 @@ namespace tribunal {
 
 std::size_t run_blocks(std::size_t blocks, unsigned threads, const std::function<void(std::size_t, unsigned)>& work,
                        const std::function<bool()>& stop) {
-  if (stop) watch_interrupts();
+  watch_interrupts();
   std::atomic<std::size_t> next{0};
   std::atomic<bool> halt{false};
   std::exception_ptr error;
@@ -21,7 +21,7 @@ std::size_t run_blocks(std::size_t blocks, unsigned threads, const std::function
   const auto run = [&](unsigned worker) {
     try {
       require_exact_rounding();
-      while (!halt && !(stop && stop())) {
+      while (!halt && interrupted() == 0 && !(stop && stop())) {
         const std::size_t block = next.fetch_add(1);
         if (block >= blocks) return;
         work(block, worker);

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "exact/families/shapes.h"
-#include "exact/harness/interrupt.h"
 #include "exact/harness/parallel.h"
 #include "exact/harness/progress.h"
 #include "exact/kernels/dyadic.h"
@@ -202,13 +201,11 @@ std::vector<RelationCount> check_relations(const FuzzPlan& plan) {
   const std::size_t entries = plan.methods.size() * std::size(relations);
   std::vector<std::vector<Entry>> workers(plan.threads, std::vector<Entry>(entries));
   Progress progress("relations", "cases", plan.cases);
-  run_blocks((plan.cases + block_size - 1) / block_size, plan.threads,
-             [&](std::size_t block, unsigned w) {
-               const std::uint64_t end = std::min(plan.cases, (block + 1) * block_size);
-               for (std::uint64_t g = block * block_size; g < end; ++g) run_case(plan, g, workers[w]);
-               progress.add(end - block * block_size);
-             },
-             [] { return interrupted() != 0; });
+  run_blocks((plan.cases + block_size - 1) / block_size, plan.threads, [&](std::size_t block, unsigned w) {
+    const std::uint64_t end = std::min(plan.cases, (block + 1) * block_size);
+    for (std::uint64_t g = block * block_size; g < end; ++g) run_case(plan, g, workers[w]);
+    progress.add(end - block * block_size);
+  });
   std::vector<RelationCount> counts;
   for (std::size_t i = 0; i < entries; ++i) {
     Entry total;

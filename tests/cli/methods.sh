@@ -1,17 +1,7 @@
 #!/usr/bin/env bash
 # methods, classify, fuzz, shrink, replay and certify from end to end, with input written by hand.
-set -euo pipefail
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
+source "$(dirname "$0")/common.bash"
 cd "$scratch"
-
-expect() {
-  local expected=$1 status=0
-  shift
-  "$TRIBUNAL" "$@" >out 2>err || status=$?
-  [ "$status" -eq "$expected" ] || { echo "tribunal $*: exit $status, expected $expected" >&2; cat out err >&2; exit 1; }
-}
-says() { grep -qF -- "$2" "$1" || { echo "expected '$2' in $1:" >&2; cat "$1" >&2; exit 1; }; }
 
 expect 0 methods && says out sf-rational && says out 'Möller & Trumbore 1997'
 expect 0 methods --json && says out '"name":"mt-float"'
@@ -72,5 +62,6 @@ timeout --preserve-status -s INT 2 "$TRIBUNAL" fuzz --method sf-epick --seconds 
 expect 1 certify --method mt-float --out certificate --cases cases.jsonl
 says out 'mt-float: refuted' && says certificate/certificate.md '## Not covered' && says certificate/certificate.json '"verdict": "refuted"'
 expect 1 replay certificate/counterexamples.jsonl
+expect 3 certify --method sf-rational --out liar --cases liar.jsonl && says err 'liar: the case expects no hit'
 expect 2 certify --method sf-double,mt-float --out certificate
 expect 5 certify --method sf-double --out /proc/nowhere

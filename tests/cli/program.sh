@@ -1,17 +1,6 @@
 #!/usr/bin/env bash
 # What every command shares: help, version, usage errors, and output that cannot be written.
-set -euo pipefail
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-
-# expect CODE ARG…: runs the program, checks its exit code; its output is left in $scratch/out and $scratch/err.
-expect() {
-  local expected=$1 status=0
-  shift
-  "$TRIBUNAL" "$@" >"$scratch/out" 2>"$scratch/err" || status=$?
-  [ "$status" -eq "$expected" ] || { echo "tribunal $*: exit $status, expected $expected" >&2; cat "$scratch/err" >&2; exit 1; }
-}
-says() { grep -qF -- "$2" "$scratch/$1" || { echo "expected '$2' in:" >&2; cat "$scratch/$1" >&2; exit 1; }; }
+source "$(dirname "$0")/common.bash"
 one_line_error() { [ "$(wc -l <"$scratch/err")" -eq 1 ] && [ ! -s "$scratch/out" ]; }
 
 expect 0 --help && says out fuzz

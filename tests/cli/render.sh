@@ -1,16 +1,7 @@
 #!/usr/bin/env bash
 # render from end to end: a real mesh, two methods, the pixels that differ, and replay of the cases behind them.
-set -euo pipefail
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
+source "$(dirname "$0")/common.bash"
 cd "$SOURCE_DIR"
-
-expect() {
-  local expected=$1 status=0
-  shift
-  "$TRIBUNAL" "$@" >"$scratch/out" 2>"$scratch/err" || status=$?
-  [ "$status" -eq "$expected" ] || { echo "tribunal $*: exit $status, expected $expected" >&2; cat "$scratch/out" "$scratch/err" >&2; exit 1; }
-}
 
 expect 0 render data/scenes/elephant.json --method mt-float --against sf-rational -o "$scratch/a.png" --stats "$scratch/a.json" --threads 2
 [ -s "$scratch/a.png" ] && [ -s "$scratch/a.diff.png" ] && [ -s "$scratch/a.cases.jsonl" ]
