@@ -1,25 +1,38 @@
 #include "exact/methods.h"
 
 #include <algorithm>
-#include <vector>
+#include <utility>
 
 #include "core/rivals.h"
+#include "exact/io/failure.h"
 #include "exact/kernels/exact_methods.h"
 #include "exact/kernels/naive.h"
 
 namespace tribunal {
 
-std::span<const Method> all_methods() {
-  static const std::vector<Method> table = {
+namespace {
+
+/// A deque: a row keeps its address when others are added.
+std::deque<Method>& table() {
+  static std::deque<Method> rows = {
       sf_float(),   sf_double(),   sf_double_eps(),          sf_epick(),
       sf_epeck(),   sf_rational(), moeller_trumbore_float(), moeller_trumbore_double(),
       cgal_epick(), cgal_epeck(),
   };
-  return table;
+  return rows;
+}
+
+}  // namespace
+
+const std::deque<Method>& all_methods() { return table(); }
+
+void add_method(Method method) {
+  if (find_method(method.name) != nullptr) throw Failure(Exit::usage, "two methods are called " + method.name);
+  table().push_back(std::move(method));
 }
 
 const Method* find_method(std::string_view name) {
-  const auto methods = all_methods();
+  const std::deque<Method>& methods = all_methods();
   const auto found = std::ranges::find(methods, name, &Method::name);
   return found == methods.end() ? nullptr : &*found;
 }

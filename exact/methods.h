@@ -1,7 +1,7 @@
 // The table of methods: one row each.
 #pragma once
 
-#include <span>
+#include <deque>
 #include <string_view>
 
 #include "core/method.h"
@@ -9,7 +9,11 @@
 namespace tribunal {
 
 /// Every method that the program knows, in the order that `tribunal methods` prints.
-std::span<const Method> all_methods();
+const std::deque<Method>& all_methods();
+
+/// Adds a row for the rest of the run: a plugin, or a bug planted by a test. Before any thread starts. Fails with
+/// Exit::usage if the name is taken.
+void add_method(Method method);
 
 /// The method of that name, or nullptr.
 const Method* find_method(std::string_view name);
