@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -16,14 +17,15 @@ namespace tribunal {
 
 /// Fuzz, certify, render and chart take methods by name and know nothing else about them.
 struct Method {
-  std::string name;       ///< e.g. "sf-double"
-  std::string number;     ///< number type, e.g. "binary64", "GMP dyadic"
-  std::string contract;   ///< which operands it takes
-  std::string summary;    ///< one line for people
-  std::string reference;  ///< where it was published
-  Convention convention;  ///< what it promises of coplanar contacts
-  Format format;          ///< coordinates beyond this format are rounded on entry
-  bool exact = false;     ///< promises the right answer to every query in its contract
+  std::string name;             ///< e.g. "sf-double"
+  std::string number;           ///< number type, e.g. "binary64", "GMP dyadic"
+  std::string contract;         ///< which operands it takes
+  std::string summary;          ///< one line for people
+  std::string reference;        ///< where it was published
+  Convention convention;        ///< what it promises of coplanar contacts
+  Format format;                ///< coordinates beyond this format are rounded on entry
+  bool exact = false;           ///< promises the right answer to every query in its contract
+  std::vector<Stage> stages{};  ///< the stages that its answers can come from; empty if it has none
 
   std::function<Answer(const Segment&, const Triangle&)> segment;
   std::function<Answer(const Ray&, const Triangle&)> ray;
@@ -31,6 +33,10 @@ struct Method {
   std::function<Answer(const Segment&, const Triangle&)> classify;
   /// Sign of t₁ − t₂ for two triangles that the ray crosses; empty if the method has no opinion.
   std::function<Sign(const Ray&, const Triangle&, const Triangle&)> compare_hits;
+
+  /// Answers to many queries at once, one each, as `ask` would give them; empty if the method has no batch form.
+  /// The operands are finite.
+  std::function<void(std::span<const Query>, std::span<Answer>)> batch;
 
   /// The answer to a query. A non-finite operand never reaches the test.
   Answer ask(const Query& query) const {
