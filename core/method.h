@@ -36,7 +36,7 @@ struct Method {
 
   /// Answers to many queries at once, one each, as `ask` would give them; empty if the method has no batch form.
   /// The operands are finite.
-  std::function<void(std::span<const Query>, std::span<Answer>)> batch;
+  std::function<void(std::span<const Query>, std::span<Answer>)> batch{};
 
   /// The answer to a query. A non-finite operand never reaches the test.
   Answer ask(const Query& query) const {
