@@ -15,6 +15,8 @@ int main(int argc, char** argv) {
        "tribunal replay findings/counterexamples.jsonl", declare_replay},
       {"certify", "say with evidence how far a method can be trusted",
        "tribunal certify --method sf-double --budget quick --out certificate", declare_certify},
+      {"verify", "make a certificate again from its log and hold it against what was written",
+       "tribunal verify certificate", declare_verify},
       {"render", "ray trace a scene with a method",
        "tribunal render data/scenes/elephant.json --method sf-double --against sf-rational -o image.png",
        declare_render},

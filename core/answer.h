@@ -1,6 +1,7 @@
 // The vocabulary of answers.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 
@@ -19,6 +20,7 @@ enum class Status : std::uint8_t { ok, nonfinite, unsupported };
 
 /// Which stage of a staged kernel decided. `none` for kernels without stages.
 enum class Stage : std::uint8_t { none, filter, expansion, exact };
+inline constexpr std::size_t stage_count = 4;
 
 /// One of the 163 classes of a segment and a triangle, 1..163; 0 where none was computed.
 using ClassId = std::uint8_t;

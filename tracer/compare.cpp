@@ -84,7 +84,8 @@ Case to_case(const World& world, const Method& a, const Method& b, const Differi
   const Truth truth = exact_truth(c.query);
   c.expect = truth.hit();
   for (const Method* m : {&a, &b}) {
-    if (judge(*m, truth, m->ask(c.query)) == Judgement::wrong) c.finding = finding_of(*m, c.query, truth);
+    const Answer answer = m->ask(c.query);
+    if (judge(*m, truth, answer) == Judgement::wrong) c.finding = finding_of(*m, c.query, c.format, truth, answer);
   }
   c.source = world.scene->file + ", pixel " + std::to_string(pixel.column) + "," + std::to_string(pixel.row) + ", " +
              std::string(name_of(parting.kind)) + " ray, solid \"" +

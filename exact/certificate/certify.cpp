@@ -1,96 +1,98 @@
 #include "exact/certificate/certify.h"
 
 #include <algorithm>
+#include <cstdio>
+#include <map>
 
-#include "exact/classes/class_table.h"
+#include "exact/certificate/small_scope.h"
 #include "exact/harness/counterexample.h"
+#include "exact/harness/environment.h"
 #include "exact/harness/interrupt.h"
+#include "exact/harness/progress.h"
 #include "exact/harness/shrink.h"
 #include "exact/io/failure.h"
+#include "exact/log/sample_row.h"
 #include "exact/methods.h"
 
 namespace tribunal {
 namespace {
 
-constexpr std::size_t most_counterexamples = 25;
+constexpr std::size_t shrunk_per_class = 3;
 
+/// The method on trial first, then naive ones that must fail somewhere.
 FuzzPlan sample_plan(const CertifyPlan& plan) {
   FuzzPlan sample;
-  sample.methods = {plan.method, *find_method("sf-float"), *find_method("sf-double")};
-  sample.streams = all_streams();
+  sample.methods = {plan.method};
+  for (const char* naive : {"sf-float", "sf-double"}) {
+    if (plan.method.name != naive) sample.methods.push_back(*find_method(naive));
+  }
+  sample.streams = plan.streams;
   sample.seed = plan.seed;
   sample.threads = plan.threads;
   sample.cases = sample.streams.size() * class_count * plan.budget.cases_per_class;
   return sample;
 }
 
-std::vector<SampledStratum> strata_of(const FuzzPlan& plan, const FuzzReport& report) {
-  std::vector<SampledStratum> strata(plan.streams.size() * class_count);
-  report.counts.for_each([&](const Cell& cell, const Count& count) {
-    if (cell.method != 0) return;
-    SampledStratum& stratum = strata[cell.stream * class_count + cell.class_id - 1U];
-    stratum.stream = cell.stream;
-    stratum.class_id = cell.class_id;
-    stratum.count += count;
-  });
-  return strata;
+std::string hex(std::uint64_t x) {
+  char text[20];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(x));
+  return text;
 }
 
-/// Every class × stream that nothing was judged in, with the reason.
-std::vector<Gap> gaps_of(const FuzzPlan& plan, const std::vector<SampledStratum>& strata) {
-  const Method& method = plan.methods[0];
-  std::vector<Gap> gaps;
-  for (std::size_t i = 0; i < plan.streams.size(); ++i) {
-    if (takes(method, plan.streams[i].format)) continue;
-    gaps.push_back({name_of(plan.streams[i]), "the method computes in binary32; these operands do not fit", true});
-  }
-  for (const SampledStratum& s : strata) {
-    const Stream& stream = plan.streams[s.stream];
-    if (!takes(method, stream.format) || s.count.judged() > 0) continue;
-    const std::string what = name_of(stream) + " " + class_name(s.class_id);
-    if (s.count.asked > 0) {
-      gaps.push_back({what, "outside the method's contract: " + method.contract, true});
-    } else if (!stream.family->proves_class) {
-      gaps.push_back({what, "the family drew no case of this class: it does not aim at classes", true});
-    } else {
-      gaps.push_back({what, "no case was drawn", false});
-    }
-  }
-  return gaps;
+Json set_record(const ScopeResult& s) {
+  return {{"record", "set"},        {"set", s.name},
+          {"size", s.size},         {"judged_by", s.oracles},
+          {"classes", s.classes},   {"answers_hash", hex(s.answers_hash)},
+          {"complete", s.complete}, {"count", to_array(s.count)}};
 }
 
-/// A sample that cannot make the naive methods fail says nothing about any other.
-void require_calibration(Certificate& c) {
-  for (std::size_t m = 1; m < c.sample_plan.methods.size(); ++m) {
-    if (total_of(c.sampled, m).wrong > 0) continue;
-    c.gaps.push_back({"calibration", c.sample_plan.methods[m].name + " was never wrong on this sample", false});
+Json stream_record(const Method& method, const Stream& stream, std::uint64_t cases) {
+  return {{"record", "stream"},
+          {"family", stream.family->name},
+          {"fmt", name_of(stream.format)},
+          {"axis", stream.family->axis},
+          {"population", stream.family->population},
+          {"judged_by", oracle_of(*stream.family)},
+          {"aims_at_classes", stream.family->proves_class},
+          {"taken", takes(method, stream.format)},
+          {"cases", cases}};
+}
+
+void log_counterexample(ChainedLog& log, const Case& c) {
+  log.add({{"record", "counterexample"}, {"case", from_case(c)}});
+}
+
+/// Each class's counterexamples come in the order of preference; the simplest of the first few, shrunk, is logged.
+class SimplestOfClass {
+ public:
+  void offer(Case c) {
+    const auto [entry, fresh] = simplest_.try_emplace(c.class_id, c);
+    if (!fresh && is_simpler(c.query, entry->second.query)) entry->second = c;
+  }
+  void log_into(ChainedLog& log) const {
+    for (const auto& [id, c] : simplest_) log_counterexample(log, c);
+  }
+
+ private:
+  std::map<ClassId, Case> simplest_;
+};
+
+void offer_from_sets(SimplestOfClass& simplest, const Method& method, const std::vector<ScopeResult>& sets) {
+  for (const ScopeResult& set : sets) {
+    for (const Query& query : set.wrong) simplest.offer(to_counterexample(method, query, Format::binary32, set.name));
   }
 }
 
-Case scope_counterexample(const Method& method, const ScopeResult& scope, const Query& query, std::size_t i) {
-  Case c;
-  c.format = Format::binary32;
-  c.query = shrink(method, query, c.format);
-  const Truth truth = exact_truth(c.query);
-  c.id = method.name + "-" + class_name(truth.class_id) + "-scope-" + std::to_string(i);
-  c.expect = truth.hit();
-  c.class_id = truth.class_id;
-  c.source = scope.name;
-  c.finding = finding_of(method, c.query, truth);
-  return c;
-}
-
-void add_counterexamples(Certificate& c) {
-  const Method& method = c.sample_plan.methods[0];
-  for (const ScopeResult& scope : c.proved) {
-    for (std::size_t i = 0; i < scope.wrong.size(); ++i) {
-      c.counterexamples.push_back(scope_counterexample(method, scope, scope.wrong[i], i));
-    }
+void offer_from_sample(SimplestOfClass& simplest, const FuzzPlan& plan, const FuzzReport& report) {
+  std::map<ClassId, std::size_t> offered;
+  std::vector<const Finding*> chosen;
+  for (const Finding& f : report.findings) {
+    if (f.method == 0 && offered[f.truth.class_id]++ < shrunk_per_class) chosen.push_back(&f);
   }
-  for (const Finding& f : c.sampled.findings) {
-    if (f.method == 0 && c.counterexamples.size() < most_counterexamples) {
-      c.counterexamples.push_back(to_counterexample(c.sample_plan, f));
-    }
+  Progress progress("shrink", "counterexamples", chosen.size());
+  for (const Finding* f : chosen) {
+    simplest.offer(to_counterexample(plan, *f));
+    progress.add(1);
   }
 }
 
@@ -102,57 +104,91 @@ void require_true_claims(const CertifyPlan& plan) {
   }
 }
 
-void judge_own_cases(const CertifyPlan& plan, Certificate& c) {
-  for (const Case& own : plan.cases) {
-    if (!takes(plan.method, own.format)) continue;
-    const Truth truth = exact_truth(own.query);
-    const Judgement j = judge(plan.method, truth, plan.method.ask(own.query));
-    c.own_cases.add(j);
-    if (j != Judgement::wrong) continue;
-    Case witness = own;
-    witness.expect = truth.hit();
-    witness.finding = finding_of(plan.method, own.query, truth);
-    c.counterexamples.push_back(witness);
-  }
-}
-
-Verdict verdict_of(const Certificate& c) {
-  const bool wrong_in_scope = std::ranges::any_of(c.proved, [](const ScopeResult& s) { return s.count.wrong > 0; });
-  if (wrong_in_scope || total_of(c.sampled, 0).wrong > 0 || c.own_cases.wrong > 0) return Verdict::refuted;
-  const bool scope_broken = std::ranges::any_of(c.proved, [](const ScopeResult& s) { return !s.complete; });
-  const bool unexplained = std::ranges::any_of(c.gaps, [](const Gap& g) { return !g.explained; });
-  return scope_broken || unexplained ? Verdict::incomplete : Verdict::not_refuted;
-}
-
 void end_if_interrupted() {
   if (interrupted() != 0) throw Failure(static_cast<Exit>(128 + interrupted()), "interrupted; no certificate written");
 }
 
-}  // namespace
-
-Count total_of(const FuzzReport& report, std::size_t method) {
-  Count total;
-  report.counts.for_each([&](const Cell& cell, const Count& count) {
-    if (cell.method == method) total += count;
-  });
-  return total;
+std::vector<ScopeResult> run_sets(const CertifyPlan& plan) {
+  std::vector<ScopeResult> sets{pocket_run(plan.method), lattice_run(plan.method, 3, plan.threads)};
+  if (plan.budget.full_scope) {
+    sets.push_back(line_run(plan.method));
+    sets.push_back(lattice_run(plan.method, 4, plan.threads));
+  }
+  end_if_interrupted();
+  return sets;
 }
 
-Certificate certify(const CertifyPlan& plan) {
-  Certificate c{.sample_plan = sample_plan(plan), .proved = {}, .sampled = {0, 0, CountTable({}), {}}};
+void log_streams(ChainedLog& log, const FuzzPlan& plan) {
+  const std::uint64_t n = plan.streams.size();
+  for (std::uint64_t i = 0; i < n; ++i) {
+    log.add(stream_record(plan.methods[0], plan.streams[i], (plan.cases + n - 1 - i) / n));
+  }
+}
+
+}  // namespace
+
+void log_plan(ChainedLog& log, const Method& method, const std::string& budget, std::uint64_t seed) {
+  Json stages = Json::array();
+  for (const Stage s : method.stages) stages.push_back(name_of(s));
+  log.add({{"record", "plan"},
+           {"method", method.name},
+           {"number", method.number},
+           {"convention", name_of(method.convention)},
+           {"contract", method.contract},
+           {"stages", stages},
+           {"budget", budget},
+           {"seed", seed}});
+  Json made_with = {{"record", "environment"}};
+  made_with.update(environment());
+  log.add(made_with);
+}
+
+void log_own_cases(ChainedLog& log, const Method& method, const std::vector<Case>& cases,
+                   const std::function<Answer(std::size_t)>& answer) {
+  for (const Format format : {Format::binary64, Format::binary32}) {
+    SampleRow row{.method = method.name, .family = "your own cases", .format = format};
+    std::vector<Case> wrong;
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      if (cases[i].format != format) continue;
+      const Truth truth = exact_truth(cases[i].query);
+      const Answer given = takes(method, format) ? answer(i) : refusal(Status::unsupported);
+      const Judgement j = judge(method, truth, given);
+      row.counts[truth.class_id].add(j, given.stage);
+      if (j == Judgement::wrong) wrong.push_back(with_finding(cases[i], method, truth, given));
+    }
+    const std::uint64_t n = total_of(row).asked;
+    if (n == 0) continue;
+    log.add({{"record", "stream"},
+             {"family", row.family},
+             {"fmt", name_of(format)},
+             {"axis", "(none)"},
+             {"population", "the cases of your file, no more"},
+             {"judged_by", "class table, rational kernel, Caratheodory, CGAL where defined"},
+             {"aims_at_classes", false},
+             {"taken", true},
+             {"cases", n}});
+    log.add(to_record(row));
+    for (const Case& c : wrong) log_counterexample(log, c);
+  }
+}
+
+ChainedLog certify(const CertifyPlan& plan) {
   require_true_claims(plan);
-  c.proved.push_back(pocket_run(plan.method));
-  c.proved.push_back(lattice_run(plan.method, 3, plan.threads));
+  ChainedLog log;
+  log_plan(log, plan.method, plan.budget.name, plan.seed);
+  const std::vector<ScopeResult> sets = run_sets(plan);
+  for (const ScopeResult& set : sets) log.add(set_record(set));
+  const FuzzPlan sample = sample_plan(plan);
+  const FuzzReport report = fuzz(sample);
   end_if_interrupted();
-  c.sampled = fuzz(c.sample_plan);
-  end_if_interrupted();
-  c.strata = strata_of(c.sample_plan, c.sampled);
-  c.gaps = gaps_of(c.sample_plan, c.strata);
-  require_calibration(c);
-  add_counterexamples(c);
-  judge_own_cases(plan, c);
-  c.verdict = verdict_of(c);
-  return c;
+  log_streams(log, sample);
+  for (const SampleRow& row : rows_of(sample, report)) log.add(to_record(row));
+  SimplestOfClass simplest;
+  offer_from_sets(simplest, plan.method, sets);
+  offer_from_sample(simplest, sample, report);
+  simplest.log_into(log);
+  log_own_cases(log, plan.method, plan.cases, [&](std::size_t i) { return plan.method.ask(plan.cases[i].query); });
+  return log;
 }
 
 }  // namespace tribunal

@@ -4,23 +4,10 @@
 #include <map>
 
 #include "exact/certificate/bounds.h"
-#include "exact/certificate/certify.h"
-#include "exact/classes/class_table.h"
-#include "exact/harness/environment.h"
+#include "exact/certificate/certificate.h"
 
 namespace tribunal {
 namespace {
-
-const char* name_of(Verdict v) {
-  constexpr const char* names[] = {"not refuted", "refuted", "incomplete"};
-  return names[static_cast<int>(v)];
-}
-
-std::string hex(std::uint64_t x) {
-  char text[20];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(x));
-  return text;
-}
 
 std::string percent(double rate) {
   char text[32];
@@ -35,25 +22,27 @@ std::string rate_of(const Count& c) {
 
 Json to_json(const Count& c) { return {{"asked", c.asked}, {"wrong", c.wrong}, {"unsupported", c.unsupported}}; }
 
-Json to_json(const ScopeResult& s) {
-  return {{"set", s.name},          {"size", s.size},
-          {"classes", s.classes},   {"answers_hash", hex(s.answers_hash)},
-          {"complete", s.complete}, {"count", to_json(s.count)}};
+Json to_json(const ProvedSet& s) {
+  return {
+      {"set", s.name},          {"size", s.size},         {"classes", s.classes},     {"answers_hash", s.answers_hash},
+      {"complete", s.complete}, {"judged_by", s.oracles}, {"count", to_json(s.count)}};
 }
 
 /// Bounds hold for one stratum; the simultaneous ones for all at once (Bonferroni).
 double simultaneous_alpha(const Certificate& c) { return confidence_alpha / static_cast<double>(c.strata.size()); }
 
-Json to_json(const Certificate& c, const SampledStratum& s) {
-  const Stream& stream = c.sample_plan.streams[s.stream];
+std::string name_of_class(ClassId id) { return id == 0 ? "ray" : class_name(id); }
+
+Json to_json(const Certificate& c, const Stratum& s) {
+  const SampledStream& stream = c.streams[s.stream];
   Json row;
-  row["class"] = class_name(s.class_id);
-  row["family"] = stream.family->name;
+  row["class"] = name_of_class(s.class_id);
+  row["family"] = stream.family;
   row["fmt"] = name_of(stream.format);
   row["n"] = s.count.judged();
   row["k"] = s.count.wrong;
   row["unsupported"] = s.count.unsupported;
-  row["judged_by"] = oracle_of(*stream.family);
+  for (const Stage stage : c.stages) row["from_" + std::string(name_of(stage))] = s.count.at(stage);
   row["upper_95"] = upper_bound(s.count.wrong, s.count.judged(), confidence_alpha);
   row["upper_95_simultaneous"] = upper_bound(s.count.wrong, s.count.judged(), simultaneous_alpha(c));
   return row;
@@ -61,13 +50,25 @@ Json to_json(const Certificate& c, const SampledStratum& s) {
 
 Json proved_json(const Certificate& c) {
   Json rows = Json::array();
-  for (const ScopeResult& s : c.proved) rows.push_back(to_json(s));
+  for (const ProvedSet& s : c.proved) rows.push_back(to_json(s));
+  return rows;
+}
+
+Json streams_json(const Certificate& c) {
+  Json rows = Json::array();
+  for (const SampledStream& s : c.streams) {
+    rows.push_back({{"family", s.family},
+                    {"fmt", name_of(s.format)},
+                    {"population", s.population},
+                    {"judged_by", s.judged_by},
+                    {"cases", s.cases}});
+  }
   return rows;
 }
 
 Json sampled_json(const Certificate& c) {
   Json rows = Json::array();
-  for (const SampledStratum& s : c.strata) {
+  for (const Stratum& s : c.strata) {
     if (s.count.judged() > 0) rows.push_back(to_json(c, s));
   }
   return rows;
@@ -80,60 +81,101 @@ Json gaps_json(const Certificate& c) {
 }
 
 Json calibration_json(const Certificate& c) {
-  Json rows;
-  for (std::size_t m = 1; m < c.sample_plan.methods.size(); ++m) {
-    rows[c.sample_plan.methods[m].name] = to_json(total_of(c.sampled, m));
+  Json rows = Json::object();
+  for (const auto& [method, count] : c.calibration) rows[method] = to_json(count);
+  return rows;
+}
+
+Json coverage_json(const Certificate& c) {
+  Json rows = Json::object();
+  for (const Format format : {Format::binary64, Format::binary32}) {
+    Json row = {{"classes", c.coverage.classes(format)}, {"of", class_count}};
+    for (const Stage stage : c.stages) row["from_" + std::string(name_of(stage))] = c.coverage.classes(format, stage);
+    rows[std::string(name_of(format))] = row;
   }
   return rows;
 }
 
-/// Counts of the method under trial, by stream, and in the stream by level of its stress axis.
-std::map<std::pair<std::size_t, std::size_t>, Count> by_level(const Certificate& c, std::size_t method) {
-  std::map<std::pair<std::size_t, std::size_t>, Count> rows;
-  c.sampled.counts.for_each([&](const Cell& cell, const Count& count) {
-    if (cell.method == method && count.asked > 0) rows[{cell.stream, cell.level}] += count;
-  });
-  return rows;
+Json environment_json(const Certificate& c) {
+  Json e = c.environment;
+  e.erase("record");
+  return e;
 }
 
 std::string proved_table(const Certificate& c) {
   std::string text =
-      "| set | cases | classes | wrong | outside the contract | hash of the answers |\n|---|---|---|---|---|---|\n";
-  for (const ScopeResult& s : c.proved) {
+      "| set | cases | classes | wrong | outside the contract | hash of the answers | judged by |\n"
+      "|---|---|---|---|---|---|---|\n";
+  for (const ProvedSet& s : c.proved) {
     text += "| " + s.name + " | " + std::to_string(s.size) + " | " + std::to_string(s.classes) + " | " +
-            std::to_string(s.count.wrong) + " | " + std::to_string(s.count.unsupported) + " | " + hex(s.answers_hash) +
-            " |\n";
+            std::to_string(s.count.wrong) + " | " + std::to_string(s.count.unsupported) + " | " + s.answers_hash +
+            " | " + s.oracles + " |\n";
   }
   return text;
+}
+
+/// "17 bits of the map's entries"; nothing for a stream without a stress axis.
+std::string stress_of(const Certificate& c, const SampleRow& row) {
+  for (const SampledStream& s : c.streams) {
+    if (s.family != row.family || s.format != row.format) continue;
+    return s.axis == "(none)" || s.axis.empty() ? "" : std::to_string(row.stress) + " " + s.axis;
+  }
+  return "";
 }
 
 std::string sampled_table(const Certificate& c) {
   std::string text =
       "| family | format | stress | cases | wrong | rate | 95 % upper bound |\n|---|---|---|---|---|---|---|\n";
-  for (const auto& [key, count] : by_level(c, 0)) {
-    const Stream& stream = c.sample_plan.streams[key.first];
-    const int level = stream.family->levels(stream.format)[key.second];
-    text += "| " + std::string(stream.family->name) + " | " + std::string(tribunal::name_of(stream.format)) + " | " +
-            std::to_string(level) + " " + std::string(stream.family->axis) + " | " + std::to_string(count.judged()) +
-            " | " + std::to_string(count.wrong) + " | " + rate_of(count) + " | " +
+  for (const SampleRow& row : c.rows) {
+    const Count count = total_of(row);
+    text += "| " + row.family + " | " + std::string(name_of(row.format)) + " | " + stress_of(c, row) + " | " +
+            std::to_string(count.judged()) + " | " + std::to_string(count.wrong) + " | " + rate_of(count) + " | " +
             percent(upper_bound(count.wrong, count.judged(), confidence_alpha)) + " |\n";
   }
   return text;
 }
 
+std::string description_of(ClassId id) {
+  if (id == 0) return "ray";
+  const ClassRow& row = class_row(id);
+  return "triangle " + row.triangle + ", segment " + row.segment + ", meet: " + row.intersection + " " +
+         (row.hit() ? row.touches : "");
+}
+
 std::string worst_classes(const Certificate& c) {
-  std::vector<SampledStratum> worst;
-  std::ranges::copy_if(c.strata, std::back_inserter(worst), [](const SampledStratum& s) { return s.count.wrong > 0; });
+  std::vector<Stratum> worst;
+  std::ranges::copy_if(c.strata, std::back_inserter(worst), [](const Stratum& s) { return s.count.wrong > 0; });
   if (worst.empty()) return "No class had a wrong answer.\n";
-  std::ranges::stable_sort(worst, std::greater{}, [](const SampledStratum& s) { return s.count.wrong; });
+  std::ranges::stable_sort(worst, std::greater{}, [](const Stratum& s) { return s.count.wrong; });
   if (worst.size() > 20) worst.resize(20);
   std::string text = "| class | what it is | family | cases | wrong |\n|---|---|---|---|---|\n";
-  for (const SampledStratum& s : worst) {
-    const ClassRow& row = class_row(s.class_id);
-    text += "| " + class_name(s.class_id) + " | triangle " + row.triangle + ", segment " + row.segment +
-            ", meet: " + row.intersection + " " + (row.hit() ? row.touches : "") + " | " +
-            tribunal::name_of(c.sample_plan.streams[s.stream]) + " | " + std::to_string(s.count.judged()) + " | " +
+  for (const Stratum& s : worst) {
+    const SampledStream& stream = c.streams[s.stream];
+    text += "| " + name_of_class(s.class_id) + " | " + description_of(s.class_id) + " | " + stream.family + " " +
+            std::string(name_of(stream.format)) + " | " + std::to_string(s.count.judged()) + " | " +
             std::to_string(s.count.wrong) + " |\n";
+  }
+  return text;
+}
+
+std::string stages_table(const Certificate& c) {
+  if (c.stages.empty()) return "";
+  const Count total = c.sampled();
+  std::string text = "Answers by stage:";
+  for (const Stage stage : c.stages) {
+    const double share =
+        total.judged() == 0 ? 0 : static_cast<double>(total.at(stage)) / static_cast<double>(total.judged());
+    text += " " + std::string(name_of(stage)) + " " + std::to_string(total.at(stage)) + " (" + percent(share) + ")";
+  }
+  return text + ".\n\n";
+}
+
+std::string populations(const Certificate& c) {
+  std::string text;
+  for (const SampledStream& s : c.streams) {
+    if (!s.taken) continue;
+    text += "- " + s.family + " " + std::string(name_of(s.format)) + ": " + std::to_string(s.cases) + " of " +
+            s.population + "; judged by " + s.judged_by + "\n";
   }
   return text;
 }
@@ -148,83 +190,75 @@ std::string gaps_list(const Certificate& c) {
     for (std::size_t i = 1; i < std::min<std::size_t>(what.size(), 6); ++i) text += ", " + what[i];
     text += what.size() > 6 ? ", ... (all in certificate.json)\n" : "\n";
   }
-  return text +
-         "- Rays (unless among your own cases), polygons, and every input that is not drawn from the populations "
-         "above.\n";
+  return text + "- Every input that is not drawn from the populations above; polygons with more than three vertices.\n";
 }
 
 std::string calibration_list(const Certificate& c) {
-  std::string text;
-  for (std::size_t m = 1; m < c.sample_plan.methods.size(); ++m) {
-    const Count count = total_of(c.sampled, m);
-    text += "- " + c.sample_plan.methods[m].name + ": " + std::to_string(count.wrong) + " wrong of " +
-            std::to_string(count.judged()) + " (" + rate_of(count) + ")\n";
+  if (c.calibration.empty()) return "None: the cases are not ours.\n";
+  std::string text = "The same sample must make naive arithmetic fail:\n\n";
+  for (const auto& [method, count] : c.calibration) {
+    text += "- " + method + ": " + std::to_string(count.wrong) + " wrong of " + std::to_string(count.judged()) + " (" +
+            rate_of(count) + ")\n";
   }
   return text;
 }
 
-std::string environment_list() {
-  const Json made_with = environment();
+std::string environment_list(const Certificate& c) {
   std::string text;
+  const Json made_with = environment_json(c);
   for (const auto& item : made_with.items()) text += "- " + item.key() + ": " + item.value().get<std::string>() + "\n";
   return text;
 }
 
+std::string word(const Certificate& c, const char* key) { return c.plan[key]; }
+
 }  // namespace
 
-Json to_json(const CertifyPlan& plan, const Certificate& c) {
-  Json object;
-  object["method"] = plan.method.name;
-  object["convention"] = tribunal::name_of(plan.method.convention);
-  object["contract"] = plan.method.contract;
-  object["budget"] = plan.budget.name;
-  object["seed"] = plan.seed;
+Json to_json(const Certificate& c) {
+  Json object = c.plan;
+  object.erase("record");
   object["verdict"] = name_of(c.verdict);
+  object["classes_judged"] = coverage_json(c);
   object["proved"] = proved_json(c);
+  object["streams"] = streams_json(c);
   object["sampled"] = sampled_json(c);
-  object["own_cases"] = to_json(c.own_cases);
   object["not_covered"] = gaps_json(c);
   object["calibration"] = calibration_json(c);
   object["counterexamples"] = c.counterexamples.size();
-  object["environment"] = environment();
+  object["environment"] = environment_json(c);
+  object["log_sha256"] = c.log_head;
   return object;
 }
 
-std::string to_markdown(const CertifyPlan& plan, const Certificate& c) {
-  std::string text = "# " + plan.method.name + ": " + name_of(c.verdict) + "\n\n";
-  text += "Contract: " + plan.method.contract +
-          ". Convention: " + std::string(tribunal::name_of(plan.method.convention)) + ". Budget " + plan.budget.name +
-          ", seed " + std::to_string(plan.seed) + ".\n\n";
-  text += "## Proved: sets run whole\n\n" + proved_table(c) + "\n";
+std::string to_markdown(const Certificate& c) {
+  std::string text = "# " + c.method() + ": " + name_of(c.verdict) + "\n\n";
+  text += "Contract: " + word(c, "contract") + ". Convention: " + word(c, "convention") + ". Budget " +
+          word(c, "budget") + ", seed " + c.plan["seed"].dump() + ". Classes judged: " + c.coverage.to_text(c.stages) +
+          ".\n\n";
+  if (!c.proved.empty()) text += "## Proved: sets run whole\n\n" + proved_table(c) + "\n";
   text +=
-      "## Sampled\n\nThe bounds are one-sided Clopper-Pearson bounds and speak of cases of these generators only. "
-      "Bounds for each class, pointwise and simultaneous, are in `certificate.json`.\n\n" +
-      sampled_table(c) + "\nWhere it was wrong:\n\n" + worst_classes(c) + "\n";
-  if (c.own_cases.asked > 0) {
-    text += "## Your own cases\n\n" + std::to_string(c.own_cases.wrong) + " wrong of " +
-            std::to_string(c.own_cases.judged()) + " judged; " + std::to_string(c.own_cases.unsupported) +
-            " outside the contract.\n\n";
-  }
+      "## Sampled\n\nThe bounds are one-sided Clopper-Pearson bounds and speak of cases of these populations under "
+      "this seed only. Bounds for each class, pointwise and simultaneous (Bonferroni over " +
+      std::to_string(c.strata.size()) + " strata), are in `certificate.json`.\n\n" + stages_table(c) +
+      sampled_table(c) + "\nWhere it was wrong:\n\n" + worst_classes(c) + "\nPopulations:\n\n" + populations(c) + "\n";
   text += "## Not covered\n\n" + gaps_list(c) + "\n";
-  text += "## Calibration\n\nThe same sample must make naive arithmetic fail:\n\n" + calibration_list(c) + "\n";
-  text += "## Environment\n\n" + environment_list();
-  return text;
+  text += "## Calibration\n\n" + calibration_list(c) + "\n";
+  text += "## Environment\n\n" + environment_list(c);
+  return text + "\nEvery number above follows from `log.jsonl` (sha256 of its chain: " + c.log_head +
+         "); `tribunal verify` makes them again.\n";
 }
 
-std::string to_summary(const CertifyPlan& plan, const Certificate& c) {
-  std::string text = plan.method.name + ": " + name_of(c.verdict) + "\n";
-  for (const ScopeResult& s : c.proved) {
+std::string to_summary(const Certificate& c) {
+  std::string text = c.method() + ": " + name_of(c.verdict) + "\n";
+  for (const ProvedSet& s : c.proved) {
     text += "  proved   " + s.name + ": " + std::to_string(s.count.wrong) + " wrong of " +
             std::to_string(s.count.judged()) + ", " + std::to_string(s.classes) + " classes\n";
   }
-  const Count sampled = total_of(c.sampled, 0);
+  const Count sampled = c.sampled();
   text += "  sampled  " + std::to_string(sampled.wrong) + " wrong of " + std::to_string(sampled.judged()) + " (" +
           rate_of(sampled) + "), 95 % upper bound " +
-          percent(upper_bound(sampled.wrong, sampled.judged(), confidence_alpha)) + " on these generators\n";
-  if (c.own_cases.asked > 0) {
-    text +=
-        "  own      " + std::to_string(c.own_cases.wrong) + " wrong of " + std::to_string(c.own_cases.judged()) + "\n";
-  }
+          percent(upper_bound(sampled.wrong, sampled.judged(), confidence_alpha)) + " on these populations\n";
+  text += "  classes  " + c.coverage.to_text(c.stages) + "\n";
   for (const Gap& g : c.gaps) {
     if (!g.explained) text += "  HOLE     " + g.what + ": " + g.reason + "\n";
   }

@@ -5,16 +5,21 @@
 #include <bitset>
 
 #include "exact/classes/class_table.h"
+#include "exact/families/axis_maps.h"
 #include "exact/harness/parallel.h"
 #include "exact/harness/progress.h"
+#include "exact/io/failure.h"
+#include "exact/oracles/caratheodory.h"
 
 namespace tribunal {
 namespace {
 
-constexpr std::size_t kept_wrong = 8;
-
-using IntegerKernel = FormulaKernel<std::int64_t>;
+using Integer = std::int32_t;  ///< coordinates up to 4: every volume fits by far
+using IntegerKernel = FormulaKernel<Integer>;
 using Classes = std::bitset<class_count + 1>;
+using ClassCounts = std::array<std::uint64_t, class_count + 1>;
+
+constexpr const char* class_and_caratheodory = "class by 32-bit orientations, Caratheodory over 32-bit integers";
 
 /// FNV-1a, 64 bits.
 struct Hash {
@@ -30,51 +35,34 @@ struct Hash {
 struct Part {
   Count count{};
   Classes classes{};
+  Classes wrong_classes{};
   Hash hash{};
   std::vector<Query> wrong{};
 
-  void ask(const Method& method, const Segment& s, const Triangle& t, ClassId id) {
+  void ask(const Method& method, const Segment& s, const Triangle& t, const Truth& truth) {
     const Answer answer = method.segment(s, t);
-    const Judgement j = judge(method, {id, class_row(id).contact()}, answer);
-    count.add(j);
-    classes.set(id);
+    const Judgement j = judge(method, truth, answer);
+    count.add(j, answer.stage);
     hash.add(static_cast<std::uint8_t>(answer.status == Status::ok ? answer.hit : 2));
-    if (j == Judgement::wrong && wrong.size() < kept_wrong) wrong.push_back({s, t});
+    if (j == Judgement::wrong) keep(truth.class_id, {s, t});
+  }
+
+  void keep(ClassId id, const Query& query) {
+    if (wrong_classes.test(id)) return;
+    wrong_classes.set(id);
+    wrong.push_back(query);
   }
 };
-
-/// One of the 48 symmetries of the cube.
-struct AxisMap {
-  std::array<int, 3> axis;
-  int negatives;
-
-  Point3 operator()(const Point3& p) const {
-    Point3 r;
-    for (int i = 0; i < 3; ++i) {
-      const double x = p[axis[static_cast<std::size_t>(i)]];
-      r[i] = (negatives >> i & 1) != 0 ? -x : x;
-    }
-    return r;
-  }
-  Segment operator()(const Segment& s) const { return {(*this)(s.p), (*this)(s.q)}; }
-  Triangle operator()(const Triangle& t) const { return {(*this)(t.a), (*this)(t.b), (*this)(t.c)}; }
-};
-
-std::vector<AxisMap> axis_maps() {
-  std::vector<AxisMap> maps;
-  std::array<int, 3> axis{0, 1, 2};
-  do {
-    for (int negatives = 0; negatives < 8; ++negatives) maps.push_back({axis, negatives});
-  } while (std::ranges::next_permutation(axis).found);
-  return maps;
-}
 
 std::array<Triangle, 6> orders_of(const Triangle& t) {
   return {{{t.a, t.b, t.c}, {t.a, t.c, t.b}, {t.b, t.a, t.c}, {t.b, t.c, t.a}, {t.c, t.a, t.b}, {t.c, t.b, t.a}}};
 }
 
-std::vector<Point3> lattice(int side) {
-  std::vector<Point3> points;
+/// Points in lexicographic order, and what is shared by all tuples of them.
+using Points = std::vector<Point3>;
+
+Points lattice(int side) {
+  Points points;
   for (int x = 0; x < side; ++x) {
     for (int y = 0; y < side; ++y) {
       for (int z = 0; z < side; ++z) points.emplace_back(x, y, z);
@@ -83,20 +71,69 @@ std::vector<Point3> lattice(int side) {
   return points;
 }
 
-/// All segments of the lattice against one triangle.
-Part run_triangle(const Method& method, const Triangle& t, const std::vector<Point3>& points) {
-  Part part;
-  for (const Point3& p : points) {
-    for (const Point3& q : points) {
-      const Segment s{p, q};
-      part.ask(method, s, t, class_of(chirotope(s, t, IntegerKernel{})));
+/// Indices i ≤ j ≤ k into the points.
+using Triple = std::array<std::size_t, 3>;
+
+std::vector<Triple> triples(std::size_t n) {
+  std::vector<Triple> list;
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = i; j < n; ++j) {
+      for (std::size_t k = j; k < n; ++k) list.push_back({i, j, k});
     }
   }
-  return part;
+  return list;
 }
 
-ScopeResult result_of(std::string name, std::uint64_t size, const Part& part) {
+/// The distinct orders of a triangle with i ≤ j ≤ k: 6, 3 or 1.
+std::vector<Triangle> distinct_orders(const Points& points, Triple t) {
+  std::vector<Triangle> orders;
+  do {
+    orders.push_back({points[t[0]], points[t[1]], points[t[2]]});
+  } while (std::next_permutation(t.begin(), t.end()));
+  return orders;
+}
+
+/// The exact answer by two formulations.
+Truth lattice_truth(const Segment& s, const Triangle& t) {
+  const ClassId id = class_of(chirotope(s, t, IntegerKernel{}));
+  const Truth truth{id, class_row(id).contact()};
+  if (meets_by_caratheodory<Integer>(s, t) != truth.hit()) exact_truth({s, t});  // names both witnesses
+  return truth;
+}
+
+/// What an unordered run adds: how many unordered tuples each class has.
+struct LatticePart {
+  Part part{};
+  ClassCounts tuples{};
+};
+
+/// All segments of the points against one triangle, in all orders.
+void run_triangle(const Method& method, const Points& points, const Triple& triple, LatticePart& out) {
+  const std::vector<Triangle> orders = distinct_orders(points, triple);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t j = i; j < points.size(); ++j) {
+      const Truth truth = lattice_truth({points[i], points[j]}, orders[0]);
+      ++out.tuples[truth.class_id];
+      out.part.classes.set(truth.class_id);
+      for (const Triangle& t : orders) {
+        out.part.ask(method, {points[i], points[j]}, t, truth);
+        if (i != j) out.part.ask(method, {points[j], points[i]}, t, truth);
+      }
+    }
+  }
+}
+
+/// Adds a block's findings; blocks come in order.
+void merge(Part& total, const Part& part) {
+  total.count += part.count;
+  total.classes |= part.classes;
+  total.hash.add(part.hash.state);
+  for (const Query& q : part.wrong) total.keep(exact_truth(q).class_id, q);
+}
+
+ScopeResult result_of(std::string name, std::string oracles, std::uint64_t size, const Part& part) {
   return {.name = std::move(name),
+          .oracles = std::move(oracles),
           .size = size,
           .answers_hash = part.hash.state,
           .count = part.count,
@@ -105,43 +142,76 @@ ScopeResult result_of(std::string name, std::uint64_t size, const Part& part) {
           .wrong = part.wrong};
 }
 
+/// The class table has counted the unordered tuples of these two lattices, by a program of its own.
+void require_counts_of_table(const ClassCounts& tuples, int side) {
+  if (side != 3 && side != 4) return;
+  for (const ClassRow& row : class_table()) {
+    const std::uint64_t due = side == 3 ? row.count_3 : row.count_4;
+    if (tuples[row.id] != due) {
+      throw Failure(Exit::oracles_contradict, "oracles contradict each other: the class table has " +
+                                                  std::to_string(due) + " tuples of " + class_name(row.id) +
+                                                  ", the lattice " + std::to_string(tuples[row.id]));
+    }
+  }
+}
+
+std::uint64_t fifth_power(std::uint64_t n) { return n * n * n * n * n; }
+
 }  // namespace
 
 ScopeResult pocket_run(const Method& method) {
-  const std::vector<AxisMap> maps = axis_maps();
   Part part;
   for (const ClassRow& row : class_table()) {
     const Segment s = row.representative_segment();
+    const Truth truth{row.id, row.contact()};
+    part.classes.set(row.id);
     for (const Triangle& t : orders_of(row.representative_triangle())) {
       for (const Segment& directed : {s, Segment{s.q, s.p}}) {
-        for (const AxisMap& map : maps) part.ask(method, map(directed), map(t), row.id);
+        for (const AxisMap& map : axis_maps()) part.ask(method, map(directed), map(t), truth);
       }
     }
   }
-  return result_of("163 classes x 12 orders x 48 axis maps", class_count * 12 * 48, part);
+  return result_of("163 classes x 12 orders x 48 axis maps", "class table", class_count * 12 * 48, part);
 }
 
 ScopeResult lattice_run(const Method& method, int side, unsigned threads) {
-  const std::vector<Point3> points = lattice(side);
-  const std::size_t n = points.size(), triangles = n * n * n;
+  const Points points = lattice(side);
+  const std::vector<Triple> triangles = triples(points.size());
   const std::string name = "all ordered tuples of {0.." + std::to_string(side - 1) + "}^3";
-  std::vector<Part> parts(triangles);
-  Progress progress(name, "cases", triangles * n * n);
-  run_blocks(triangles, threads, [&](std::size_t i, unsigned) {
-    parts[i] = run_triangle(method, {points[i / n / n], points[i / n % n], points[i % n]}, points);
-    progress.add(n * n, parts[i].count.wrong);
+  const std::uint64_t size = fifth_power(points.size());
+  std::vector<Part> parts(triangles.size());
+  std::vector<ClassCounts> tuples(threads);
+  Progress progress(name, "cases", size);
+  run_blocks(triangles.size(), threads, [&](std::size_t i, unsigned worker) {
+    LatticePart block;
+    run_triangle(method, points, triangles[i], block);
+    for (std::size_t id = 0; id <= class_count; ++id) tuples[worker][id] += block.tuples[id];
+    parts[i] = std::move(block.part);
+    progress.add(parts[i].count.asked, parts[i].count.wrong);
   });
 
   Part total;
-  for (const Part& part : parts) {
-    total.count += part.count;
-    total.classes |= part.classes;
-    total.hash.add(part.hash.state);
-    for (const Query& q : part.wrong) {
-      if (total.wrong.size() < kept_wrong) total.wrong.push_back(q);
-    }
+  for (const Part& part : parts) merge(total, part);
+  for (unsigned w = 1; w < threads; ++w) {
+    for (std::size_t id = 0; id <= class_count; ++id) tuples[0][id] += tuples[w][id];
   }
-  return result_of(name, triangles * n * n, total);
+  if (total.count.asked == size) require_counts_of_table(tuples[0], side);
+  return result_of(name, class_and_caratheodory, size, total);
+}
+
+ScopeResult line_run(const Method& method) {
+  LatticePart all;
+  std::uint64_t size = 0;
+  for (const Point3& d : lattice(3)) {
+    const Point3 direction = d - Point3(1, 1, 1);
+    if (lexicographic(Point3(0, 0, 0), direction, IntegerKernel{}) != Sign::positive) continue;
+    Points points;
+    for (int i = 0; i < 5; ++i) points.push_back(direction * static_cast<double>(i));
+    for (const Triple& t : triples(points.size())) run_triangle(method, points, t, all);
+    size += fifth_power(points.size());
+  }
+  return result_of("all ordered tuples of five points of a line, along 13 directions", class_and_caratheodory, size,
+                   all.part);
 }
 
 }  // namespace tribunal

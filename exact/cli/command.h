@@ -46,6 +46,5 @@ Action declare_classify(CLI::App& app);
 Action declare_fuzz(CLI::App& app);
 Action declare_shrink(CLI::App& app);
 Action declare_replay(CLI::App& app);
-Action declare_certify(CLI::App& app);
 
 }  // namespace tribunal

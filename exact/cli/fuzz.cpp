@@ -5,7 +5,9 @@
 #include "exact/classes/class_table.h"
 #include "exact/cli/command.h"
 #include "exact/cli/fuzz_relations.h"
+#include "exact/harness/checkpoint.h"
 #include "exact/harness/counterexample.h"
+#include "exact/harness/coverage.h"
 #include "exact/harness/environment.h"
 #include "exact/harness/interrupt.h"
 #include "exact/harness/progress.h"
@@ -21,7 +23,7 @@ struct Options {
   double seconds = 0;
   unsigned threads = 1;
   std::size_t keep = 20;
-  bool levels = false, relations = false;
+  bool levels = false, relations = false, resume = false;
 };
 
 std::vector<Stream> streams_named(const std::string& families) {
@@ -64,14 +66,6 @@ std::map<Row, Count> by_level(const FuzzReport& report) {
   return rows;
 }
 
-int classes_covered(const FuzzReport& report, std::size_t stream) {
-  std::vector<bool> seen(class_count + 1);
-  report.counts.for_each([&](const Cell& c, const Count& count) {
-    if (c.stream == stream && count.asked > 0) seen[c.class_id] = true;
-  });
-  return static_cast<int>(std::count(seen.begin(), seen.end(), true));
-}
-
 /// The same, summed over levels.
 std::map<Row, Count> by_stream(const FuzzReport& report) {
   std::map<Row, Count> rows;
@@ -79,12 +73,21 @@ std::map<Row, Count> by_stream(const FuzzReport& report) {
   return rows;
 }
 
+Coverage coverage_of(const FuzzPlan& plan, const FuzzReport& report, std::size_t method) {
+  Coverage coverage;
+  report.counts.for_each([&](const Cell& c, const Count& count) {
+    if (c.method == method) coverage.add(plan.streams[c.stream].format, c.class_id, count);
+  });
+  return coverage;
+}
+
 std::string coverage(const FuzzPlan& plan, const FuzzReport& report) {
-  std::string text = "classes covered, of 163:";
-  for (std::size_t i = 0; i < plan.streams.size(); ++i) {
-    text += (i % 6 == 0 ? "\n  " : ", ") + name_of(plan.streams[i]) + " " + std::to_string(classes_covered(report, i));
+  std::string text;
+  for (std::size_t m = 0; m < plan.methods.size(); ++m) {
+    const Method& method = plan.methods[m];
+    text += "classes judged  " + method.name + ": " + coverage_of(plan, report, m).to_text(method.stages) + "\n";
   }
-  return text + "\n";
+  return text;
 }
 
 std::string table(const FuzzPlan& plan, const FuzzReport& report, bool levels) {
@@ -107,6 +110,14 @@ std::string table(const FuzzPlan& plan, const FuzzReport& report, bool levels) {
   return text;
 }
 
+Json coverage_json(const FuzzPlan& plan, const FuzzReport& report) {
+  Json object = Json::object();
+  for (std::size_t m = 0; m < plan.methods.size(); ++m) {
+    object[plan.methods[m].name] = coverage_of(plan, report, m).to_text(plan.methods[m].stages);
+  }
+  return object;
+}
+
 /// Per method × family × format × class; nothing that varies from run to run.
 Json summary(const FuzzPlan& plan, const FuzzReport& report) {
   std::map<std::tuple<std::size_t, std::size_t, ClassId>, Count> cells;
@@ -124,7 +135,11 @@ Json summary(const FuzzPlan& plan, const FuzzReport& report) {
                     {"wrong", count.wrong},
                     {"unsupported", count.unsupported}});
   }
-  return {{"seed", plan.seed}, {"cases", report.cases}, {"counts", rows}, {"environment", environment()}};
+  return {{"seed", plan.seed},
+          {"cases", report.cases},
+          {"classes_judged", coverage_json(plan, report)},
+          {"counts", rows},
+          {"environment", environment()}};
 }
 
 std::vector<Case> counterexamples(const FuzzPlan& plan, const FuzzReport& report, std::size_t keep) {
@@ -136,23 +151,49 @@ std::vector<Case> counterexamples(const FuzzPlan& plan, const FuzzReport& report
   return cases;
 }
 
+FuzzReport run_plan(const Options& o, const FuzzPlan& plan) {
+  if (o.out.empty()) return fuzz(plan);
+  make_directory(o.out);
+  FuzzReport start = empty_report(plan);
+  if (o.resume) {
+    if (const auto saved = load_checkpoint(o.out, plan)) start = *saved;
+    print("going on after " + std::to_string(start.cases) + " cases\n");
+  }
+  return fuzz(plan, start, [&](const FuzzReport& report) { save_checkpoint(o.out, plan, report); });
+}
+
+std::string totals(const FuzzPlan& plan, const FuzzReport& report) {
+  std::string text = std::to_string(report.cases) + " cases, seed " + std::to_string(plan.seed);
+  if (report.seconds > 0) {
+    text += "; " + compact(static_cast<double>(report.run_here)) + " in " + compact(report.seconds) + " s, " +
+            compact(static_cast<double>(report.run_here) / report.seconds) + "/s";
+  }
+  return text + "\n";
+}
+
+void write_findings(const Options& o, const FuzzPlan& plan, const FuzzReport& report) {
+  const std::vector<Case> cases = counterexamples(plan, report, o.keep);
+  write_file(o.out + "/summary.json", summary(plan, report).dump(1) + "\n");
+  write_file(o.out + "/counterexamples.jsonl", to_lines(cases));
+  remove_checkpoint(o.out);
+  print(std::to_string(cases.size()) + " counterexamples in " + o.out + "/counterexamples.jsonl" +
+        (cases.empty() ? "" : "; `tribunal replay` shows them") + "\n");
+}
+
 int run(const Options& o) {
   const FuzzPlan plan = plan_of(o);
   if (o.relations) return run_relations(plan, o.out);
-  if (!o.out.empty()) make_directory(o.out);
-  const FuzzReport report = fuzz(plan);
+  const FuzzReport report = run_plan(o, plan);
   if (report.cases == 0) throw Failure(Exit::resources, "no case was run");
-  print(table(plan, report, o.levels) + coverage(plan, report));
-  print(compact(static_cast<double>(report.cases)) + " cases in " + compact(report.seconds) + " s, " +
-        compact(static_cast<double>(report.cases) / report.seconds) + "/s; seed " + std::to_string(plan.seed) + "\n");
-  if (!o.out.empty()) {
-    const std::vector<Case> cases = counterexamples(plan, report, o.keep);
-    write_file(o.out + "/summary.json", summary(plan, report).dump(1) + "\n");
-    write_file(o.out + "/counterexamples.jsonl", to_lines(cases));
-    print(std::to_string(cases.size()) + " counterexamples in " + o.out + "/counterexamples.jsonl" +
-          (cases.empty() ? "" : "; `tribunal replay` shows them") + "\n");
+  print(table(plan, report, o.levels) + coverage(plan, report) + totals(plan, report));
+  const bool complete = is_complete(plan, report);
+  if (!complete) {
+    print("INTERRUPTED after " + std::to_string(report.cases) + " of " + std::to_string(plan.cases) + " cases" +
+          (o.out.empty() ? "" : "; the same command with --resume goes on") + "\n");
+  } else if (!o.out.empty()) {
+    write_findings(o, plan, report);
   }
-  return exit_code_after(code(report.findings.empty() ? Exit::ok : Exit::disagreement), interrupted());
+  return exit_code_after(code(report.findings.empty() ? Exit::ok : Exit::disagreement), complete ? 0 : interrupted());
 }
 
 std::string family_help() {
@@ -173,13 +214,14 @@ Action declare_fuzz(CLI::App& app) {
   auto* seconds = app.add_option("--seconds", o->seconds, "run for a time instead");
   seconds->check(above_zero())->excludes(count);
   add_threads_option(app, o->threads);
+  auto* out = app.add_option("--out", o->out, "directory for summary.json and counterexamples.jsonl");
+  app.add_flag("--resume", o->resume, "go on with an interrupted run of the same plan in --out")->needs(out);
   app.add_option("--keep", o->keep, "counterexamples to shrink and write, a method")
       ->check(whole_number())
       ->capture_default_str();
   app.add_flag("--relations", o->relations, "check relations between answers instead: no oracle is asked")
       ->excludes(seconds);
   app.add_flag("--levels", o->levels, "show each level of the stress axes");
-  app.add_option("--out", o->out, "directory for summary.json and counterexamples.jsonl");
   return [o] { return run(*o); };
 }
 

@@ -35,11 +35,8 @@ Case shrunk(Case c, const Method& method) {
     throw Failure(Exit::bad_input, c.id + ": " + method.name + " answers it rightly, expected a counterexample");
   }
   c.query = shrink(method, c.query, c.format);
-  const Truth truth = exact_truth(c.query);
-  c.expect = truth.hit();
-  c.class_id = truth.class_id;
   const Json origin = c.finding.is_object() ? c.finding.value("origin", Json()) : Json();
-  c.finding = finding_of(method, c.query, truth);
+  c = with_finding(c, method, exact_truth(c.query), method.ask(c.query));
   if (!origin.is_null()) c.finding["origin"] = origin;
   return c;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -29,7 +30,7 @@ struct Family {
   std::string_view axis;        ///< name and unit of the stress axis
   bool proves_class;            ///< every case knows its class by construction, and all 163 are drawn
   std::span<const int> (*levels)(Format);
-  Trial (*make)(Format format, std::uint64_t seed, std::uint64_t k);
+  std::function<Trial(Format format, std::uint64_t seed, std::uint64_t k)> make;
 };
 
 std::span<const Family> all_families();

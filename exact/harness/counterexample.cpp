@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "exact/classes/class_table.h"
+#include "exact/harness/environment.h"
 #include "exact/harness/shrink.h"
 #include "exact/kernels/rational_kernel.h"
 #include "exact/methods.h"
@@ -87,35 +88,59 @@ std::string verdict_of(const Method& method, Format format, const Truth& truth, 
   return by_convention ? "right by its convention (coplanar is a miss)" : "right";
 }
 
+/// 1, 0, or null where the method does not take the operands.
+Json every_answer(const Query& query, Format format) {
+  Json answers = Json::object();
+  for (const Method& method : all_methods()) {
+    const Answer answer = takes(method, format) ? method.ask(query) : refusal(Status::unsupported);
+    answers[method.name] = answer.status == Status::ok ? Json(answer.hit ? 1 : 0) : Json();
+  }
+  return answers;
+}
+
 }  // namespace
 
 Json exact_evidence(const Query& query) {
   return std::visit([&](const auto& probe) { return evidence(probe, query.triangle); }, query.probe);
 }
 
-Json finding_of(const Method& method, const Query& query, const Truth& truth) {
+Json finding_of(const Method& method, const Query& query, Format format, const Truth& truth, const Answer& answer) {
   Json finding;
   finding["method"] = method.name;
-  finding["answered"] = method.ask(query).hit ? 1 : 0;
+  finding["answered"] = answer.hit ? 1 : 0;
   finding["expected"] = counts_as_hit(truth.contact, method.convention) ? 1 : 0;
   finding["convention"] = name_of(method.convention);
   finding["exact"] = exact_evidence(query);
+  finding["answers"] = every_answer(query, format);
+  finding["made_with"] = environment();
   return finding;
 }
 
-Case to_counterexample(const FuzzPlan& plan, const Finding& f) {
-  const Method& method = plan.methods[f.method];
-  const Stream& stream = plan.streams[f.stream];
-  Case c;
-  c.format = stream.format;
-  c.query = shrink(method, f.trial.query, stream.format);
-  const Truth truth = exact_truth(c.query);
+Case with_finding(Case c, const Method& method, const Truth& truth, const Answer& answer) {
   c.expect = truth.hit();
   c.class_id = truth.class_id;
-  const std::string origin = std::string(stream.family->name) + "-" + std::string(name_of(stream.format));
-  c.id = method.name + "-" + class_name(truth.class_id) + "-" + origin + "-" + std::to_string(f.k);
-  c.finding = finding_of(method, c.query, truth);
-  c.finding["origin"] = {{"family", stream.family->name}, {"seed", plan.seed}, {"case", f.k}};
+  c.finding = finding_of(method, c.query, c.format, truth, answer);
+  return c;
+}
+
+Case to_counterexample(const Method& method, const Query& query, Format format, const std::string& source) {
+  Case c{.format = format, .query = shrink(method, query, format), .source = source};
+  c = with_finding(c, method, exact_truth(c.query), method.ask(c.query));
+  c.id = method.name + "-" + (c.class_id == 0 ? "ray" : class_name(c.class_id));
+  return c;
+}
+
+Case to_counterexample(const FuzzPlan& plan, const Finding& f) {
+  const Stream& stream = plan.streams[f.stream];
+  Case c = to_counterexample(plan.methods[f.method], f.trial.query, stream.format, "");
+  const std::string fmt(name_of(stream.format));
+  c.id += "-" + std::string(stream.family->name) + "-" + fmt + "-" + std::to_string(f.k);
+  c.finding["origin"] = {{"family", stream.family->name},
+                         {"fmt", fmt},
+                         {"seed", plan.seed},
+                         {"case", f.k},
+                         {"stress", stream.family->levels(stream.format)[f.trial.level]},
+                         {"axis", stream.family->axis}};
   return c;
 }
 

@@ -14,11 +14,18 @@ namespace tribunal {
 /// multiples of d; absent if it is parallel.
 Json exact_evidence(const Query& query);
 
-/// What a counterexample says of a method: its answer, the answer due by its convention, and the evidence.
-Json finding_of(const Method& method, const Query& query, const Truth& truth);
+/// What a counterexample says of a method: its answer, the answer due by its convention, the exact evidence, every
+/// method's answer (null where operands or contract do not fit) and what it was made with.
+Json finding_of(const Method& method, const Query& query, Format format, const Truth& truth, const Answer& answer);
 
-/// The finding, shrunk, as a case with a "finding" that says method, answer, origin and evidence.
+/// The finding, shrunk, as a case with a "finding" that adds the family, seed, case number and stress level it came from.
 Case to_counterexample(const FuzzPlan& plan, const Finding& finding);
+
+/// The query, shrunk, likewise; `source` says where it came from.
+Case to_counterexample(const Method& method, const Query& query, Format format, const std::string& source);
+
+/// A case of the user's that the method answered wrongly, as it is.
+Case with_finding(Case c, const Method& method, const Truth& truth, const Answer& answer);
 
 /// One JSON line each.
 std::string to_lines(const std::vector<Case>& cases);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "exact/classes/class_table.h"
+#include "exact/harness/interrupt.h"
 #include "exact/harness/parallel.h"
 #include "exact/harness/progress.h"
 
@@ -10,6 +11,7 @@ namespace tribunal {
 namespace {
 
 constexpr std::uint64_t block_size = 2048;
+constexpr std::size_t slots = class_count + 1;  ///< rays have class 0
 
 std::size_t most_levels(const FuzzPlan& plan) {
   std::size_t most = 1;
@@ -28,26 +30,60 @@ void keep_first(FirstFindings& kept, const Finding& f) {
 
 struct Worker {
   CountTable counts;
-  FirstFindings findings;
+  FirstFindings findings{};
   std::uint64_t wrong = 0;
+  std::vector<Answer> answers{};
 };
 
-/// Case g of the plan: streams take turns.
-void run_case(const FuzzPlan& plan, std::uint64_t g, Worker& worker) {
-  const std::size_t stream = g % plan.streams.size();
-  const std::uint64_t k = g / plan.streams.size();
+/// Consecutive cases of one stream: number first_k onwards.
+struct Chunk {
+  std::size_t stream;
+  std::uint64_t first_k;
+  std::vector<Trial> trials{};
+  std::vector<Truth> truths{};
+  std::vector<Query> queries{};
+};
+
+Chunk make_chunk(const FuzzPlan& plan, std::size_t stream, std::uint64_t first_k, std::uint64_t end_k) {
+  Chunk chunk{stream, first_k};
   const Stream& source = plan.streams[stream];
-  const Trial trial = source.family->make(source.format, plan.seed, k);
-  const Truth truth = truth_of(trial);
-  for (std::size_t m = 0; m < plan.methods.size(); ++m) {
-    const Method& method = plan.methods[m];
-    if (!takes(method, source.format)) continue;
-    const Answer answer = method.ask(trial.query);
+  for (std::uint64_t k = first_k; k < end_k; ++k) {
+    chunk.trials.push_back(source.family->make(source.format, plan.seed, k));
+    chunk.truths.push_back(truth_of(chunk.trials.back(), k));
+    chunk.queries.push_back(chunk.trials.back().query);
+  }
+  return chunk;
+}
+
+void ask_all(const Method& method, const Chunk& chunk, std::vector<Answer>& answers) {
+  answers.resize(chunk.queries.size());
+  if (method.batch) return method.batch(chunk.queries, answers);
+  std::ranges::transform(chunk.queries, answers.begin(), [&](const Query& query) { return method.ask(query); });
+}
+
+void judge_chunk(const FuzzPlan& plan, const Chunk& chunk, std::size_t m, Worker& worker) {
+  const Method& method = plan.methods[m];
+  ask_all(method, chunk, worker.answers);
+  for (std::size_t i = 0; i < chunk.trials.size(); ++i) {
+    const Truth& truth = chunk.truths[i];
+    const Answer& answer = worker.answers[i];
     const Judgement judgement = judge(method, truth, answer);
-    worker.counts.at({m, stream, trial.level, truth.class_id}).add(judgement);
+    worker.counts.at({m, chunk.stream, chunk.trials[i].level, truth.class_id}).add(judgement, answer.stage);
     if (judgement != Judgement::wrong) continue;
     ++worker.wrong;
-    keep_first(worker.findings, {m, stream, k, trial, truth, answer});
+    keep_first(worker.findings, {m, chunk.stream, chunk.first_k + i, chunk.trials[i], truth, answer});
+  }
+}
+
+/// Cases first ≤ g < end of the plan. Streams take turns: case g is number g / streams of stream g mod streams.
+void run_cases(const FuzzPlan& plan, std::uint64_t first, std::uint64_t end, Worker& worker) {
+  const std::uint64_t n = plan.streams.size();
+  const auto number_below = [n](std::uint64_t g, std::uint64_t stream) { return (g + n - 1 - stream) / n; };
+  for (std::size_t stream = 0; stream < n; ++stream) {
+    const Chunk chunk = make_chunk(plan, stream, number_below(first, stream), number_below(end, stream));
+    for (std::size_t m = 0; m < plan.methods.size(); ++m) {
+      if (takes(plan.methods[m], plan.streams[stream].format)) judge_chunk(plan, chunk, m, worker);
+    }
   }
 }
 
@@ -58,16 +94,39 @@ std::vector<Finding> in_order(const FirstFindings& kept, std::size_t streams) {
   return findings;
 }
 
+/// Goes on from the report until the plan's end or `stop`, by whole blocks.
+void run_slice(const FuzzPlan& plan, FuzzReport& report, Progress& progress, const std::function<bool()>& stop) {
+  std::vector<Worker> workers(plan.threads, Worker{.counts = CountTable(plan)});
+  const std::uint64_t start = report.cases;
+  const auto begin_of = [&](std::size_t block) { return std::min(plan.cases, start + block * block_size); };
+  const auto work = [&](std::size_t block, unsigned w) {
+    const std::uint64_t wrong_before = workers[w].wrong;
+    run_cases(plan, begin_of(block), begin_of(block + 1), workers[w]);
+    progress.add(begin_of(block + 1) - begin_of(block), workers[w].wrong - wrong_before);
+  };
+  const std::uint64_t blocks = (plan.cases - start + block_size - 1) / block_size;
+  report.cases = begin_of(run_blocks(blocks, plan.threads, work, stop));
+  report.run_here += report.cases - start;
+
+  FirstFindings kept;
+  for (const Finding& f : report.findings) keep_first(kept, f);
+  for (const Worker& w : workers) {
+    report.counts += w.counts;
+    for (const auto& [key, finding] : w.findings) keep_first(kept, finding);
+  }
+  report.findings = in_order(kept, plan.streams.size());
+}
+
 }  // namespace
 
 CountTable::CountTable(const FuzzPlan& plan)
     : methods_(plan.methods.size()),
       streams_(plan.streams.size()),
       levels_(most_levels(plan)),
-      counts_(methods_ * streams_ * levels_ * class_count) {}
+      counts_(methods_ * streams_ * levels_ * slots) {}
 
 std::size_t CountTable::index(const Cell& c) const {
-  return ((c.method * streams_ + c.stream) * levels_ + c.level) * class_count + c.class_id - 1U;
+  return ((c.method * streams_ + c.stream) * levels_ + c.level) * slots + c.class_id;
 }
 
 CountTable& CountTable::operator+=(const CountTable& other) {
@@ -77,35 +136,36 @@ CountTable& CountTable::operator+=(const CountTable& other) {
 
 void CountTable::for_each(const std::function<void(const Cell&, const Count&)>& visit) const {
   for (std::size_t i = 0; i < counts_.size(); ++i) {
-    const std::size_t row = i / class_count;
-    visit(
-        {row / levels_ / streams_, row / levels_ % streams_, row % levels_, static_cast<ClassId>(i % class_count + 1)},
-        counts_[i]);
+    const std::size_t row = i / slots;
+    visit({row / levels_ / streams_, row / levels_ % streams_, row % levels_, static_cast<ClassId>(i % slots)},
+          counts_[i]);
   }
 }
 
-FuzzReport fuzz(const FuzzPlan& plan) {
-  std::vector<Worker> workers(plan.threads, Worker{CountTable(plan), {}, 0});
-  const std::uint64_t blocks = (plan.cases + block_size - 1) / block_size;
-  Progress progress("fuzz", "cases", plan.seconds > 0 ? 0 : plan.cases);
-  const auto work = [&](std::size_t block, unsigned w) {
-    const std::uint64_t end = std::min(plan.cases, (block + 1) * block_size);
-    const std::uint64_t wrong_before = workers[w].wrong;
-    for (std::uint64_t g = block * block_size; g < end; ++g) run_case(plan, g, workers[w]);
-    progress.add(end - block * block_size, workers[w].wrong - wrong_before);
-  };
-  const auto stop = [&] { return plan.seconds > 0 && progress.elapsed() > plan.seconds; };
-  const std::size_t done = run_blocks(blocks, plan.threads, work, stop);
+FuzzReport empty_report(const FuzzPlan& plan) { return {.counts = CountTable(plan), .findings = {}}; }
 
-  FuzzReport report{std::min(plan.cases, done * block_size), progress.elapsed(), CountTable(plan), {}};
-  FirstFindings kept;
-  for (const Worker& w : workers) {
-    report.counts += w.counts;
-    for (const auto& [key, finding] : w.findings) keep_first(kept, finding);
-  }
-  report.findings = in_order(kept, plan.streams.size());
-  return report;
+bool is_complete(const FuzzPlan& plan, const FuzzReport& report) {
+  return report.cases == plan.cases || (plan.seconds > 0 && report.seconds > plan.seconds);
 }
+
+FuzzReport fuzz(const FuzzPlan& plan, FuzzReport so_far, const Checkpoint& checkpoint) {
+  constexpr double seconds_between_checkpoints = 60;
+  Progress progress("fuzz", "cases", plan.seconds > 0 ? 0 : plan.cases - so_far.cases);
+  while (!is_complete(plan, so_far)) {
+    const double started = progress.elapsed();
+    const auto stop = [&] {
+      const double now = progress.elapsed();
+      return (plan.seconds > 0 && now > plan.seconds) || (checkpoint && now - started > seconds_between_checkpoints);
+    };
+    run_slice(plan, so_far, progress, stop);
+    so_far.seconds = progress.elapsed();
+    if (checkpoint && !is_complete(plan, so_far)) checkpoint(so_far);
+    if (interrupted() != 0) break;
+  }
+  return so_far;
+}
+
+FuzzReport fuzz(const FuzzPlan& plan) { return fuzz(plan, empty_report(plan), {}); }
 
 std::string name_of(const Stream& s) { return std::string(s.family->name) + " " + std::string(name_of(s.format)); }
 

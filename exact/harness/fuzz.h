@@ -28,7 +28,7 @@ struct FuzzPlan {
   unsigned threads = 1;
 };
 
-/// Where a count belongs. Indices into the plan; class_id 1..163.
+/// Where a count belongs. Indices into the plan; class_id 1..163, 0 for rays.
 struct Cell {
   std::size_t method, stream, level;
   ClassId class_id;
@@ -62,15 +62,27 @@ struct Finding {
 };
 
 struct FuzzReport {
-  std::uint64_t cases = 0;
-  double seconds = 0;
+  std::uint64_t cases = 0;     ///< from the plan's first
+  std::uint64_t run_here = 0;  ///< of these, in this run
+  double seconds = 0;          ///< of this run
   CountTable counts;
-  std::vector<Finding> findings;  ///< the first of each method × stream × class, in order of discovery
+  std::vector<Finding> findings;  ///< the first of each method × stream × class, by case number
 };
 
-/// Deterministic: the same plan gives the same report (but for `seconds`) whatever the number of threads. With a time
-/// limit the number of cases varies, but not what is said of them.
+/// Before the first case.
+FuzzReport empty_report(const FuzzPlan& plan);
+
+/// Called with the report so far: every minute, and when a signal has ended the run.
+using Checkpoint = std::function<void(const FuzzReport&)>;
+
+/// Deterministic: the same plan gives the same report (but for `seconds`) whatever the number of threads, and whether
+/// it ran at once or went on from a report of an earlier part of it. With a time limit the number of cases varies, but
+/// not what is said of them. A method with a batch form is asked by it.
+FuzzReport fuzz(const FuzzPlan& plan, FuzzReport so_far, const Checkpoint& checkpoint);
 FuzzReport fuzz(const FuzzPlan& plan);
+
+/// Whether all cases of the plan were run, or all its seconds.
+bool is_complete(const FuzzPlan& plan, const FuzzReport& report);
 
 /// All families in both formats.
 std::vector<Stream> all_streams();

@@ -4,25 +4,17 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
+#include <utility>
 #include <vector>
 
+#include "exact/families/axis_maps.h"
+#include "exact/harness/affine_frame.h"
+#include "exact/harness/query_vectors.h"
 #include "exact/kernels/dyadic.h"
 
 namespace tribunal {
 namespace {
-
-/// The fifteen coordinates, and which five of them belong to points: a direction does not translate.
-struct Coordinates {
-  std::array<Point3*, 5> v;
-  int points;
-};
-
-Coordinates coordinates_of(Query& query) {
-  Triangle& t = query.triangle;
-  if (auto* s = std::get_if<Segment>(&query.probe)) return {{&t.a, &t.b, &t.c, &s->p, &s->q}, 5};
-  Ray& r = std::get<Ray>(query.probe);
-  return {{&t.a, &t.b, &t.c, &r.o, &r.d.v}, 4};
-}
 
 int significand_bits(double x) {
   if (x == 0) return 0;
@@ -34,21 +26,54 @@ int significand_bits(double x) {
 
 struct Cost {
   int bits = 0, exponents = 0, negatives = 0;
+  std::array<double, 15> coordinates{};
   auto operator<=>(const Cost&) const = default;
 };
 
 Cost cost_of(Query query) {
   Cost cost;
-  for (const Point3* v : coordinates_of(query).v) {
+  std::size_t i = 0;
+  for (const Point3* v : vectors_of(query).v) {
     for (int axis = 0; axis < 3; ++axis) {
       const double x = (*v)[axis];
       cost.bits += significand_bits(x);
       cost.exponents += x == 0 ? 0 : std::abs(std::ilogb(x));
       cost.negatives += std::signbit(x);
+      cost.coordinates[i++] = x;
     }
   }
   return cost;
 }
+
+/// Zeros as +0: an axis map makes −0 of them.
+Point3 without_minus_zero(const Point3& p) { return {p.x + 0.0, p.y + 0.0, p.z + 0.0}; }
+
+/// The query under all orders of its vertices (and ends, for a segment) and all signed axis permutations.
+std::vector<Query> images_of(Query query) {
+  std::vector<Query> images;
+  const QueryVectors from = vectors_of(query);
+  std::array<std::size_t, 3> corner{0, 1, 2};
+  do {
+    for (const std::size_t first_end : {3U, 4U}) {
+      if (first_end == 4 && from.points < 5) continue;  // a ray has no other direction
+      const std::size_t source[] = {corner[0], corner[1], corner[2], first_end, 7 - first_end};
+      for (const AxisMap& map : axis_maps()) {
+        Query image = query;
+        const QueryVectors to = vectors_of(image);
+        for (std::size_t i = 0; i < 5; ++i) *to.v[i] = without_minus_zero(map(*from.v[source[i]]));
+        images.push_back(image);
+      }
+    }
+  } while (std::next_permutation(corner.begin(), corner.end()));
+  return images;
+}
+
+constexpr int frame_bits[] = {1, 2, 3, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 28, 32, 36, 40, 44, 48};
+constexpr FrameRounding frame_roundings[] = {
+    [](double x, double unit) { return std::nearbyint(x / unit) * unit; },
+    [](double x, double unit) { return std::floor(x / unit) * unit; },
+    [](double x, double unit) { return std::ceil(x / unit) * unit; },
+};
 
 bool representable(double x, Format format) { return std::isfinite(x) && is_exact_in(x, format); }
 
@@ -74,11 +99,11 @@ class Shrinker {
   bool offer(const Query& candidate) {
     const Cost cost = cost_of(candidate);
     if (cost >= cost_ || budget_ <= 0) return false;
+    const Truth truth = exact_truth(candidate);
+    if (truth.class_id != truth_.class_id || truth.contact != truth_.contact) return false;
     --budget_;
     const Answer answer = method_.ask(candidate);
     if (answer.status != Status::ok || answer.hit != wrong_) return false;
-    const Truth truth = exact_truth(candidate);
-    if (truth.class_id != truth_.class_id || truth.contact != truth_.contact) return false;
     best_ = candidate;
     cost_ = cost;
     return true;
@@ -86,21 +111,21 @@ class Shrinker {
 
   bool pass() {
     bool simpler = false;
+    simpler |= take_smaller_frame();
     for (int axis = 0; axis < 3; ++axis) {
       for (int vertex = 0; vertex < 4; ++vertex) simpler |= translate(axis, vertex);
       simpler |= scale(axis);
-      simpler |= negate(axis);
     }
     for (int axis = 0; axis < 3; ++axis) {
       for (const double value : distinct(axis)) simpler |= simplify(axis, value);
     }
-    return simpler;
+    return simpler || take_least_image();
   }
 
   /// Exactly, or not at all.
   bool translate(int axis, int vertex) {
     Query candidate = best_;
-    const Coordinates c = coordinates_of(candidate);
+    const QueryVectors c = vectors_of(candidate);
     const double by = (*c.v[static_cast<std::size_t>(vertex)])[axis];
     for (std::size_t i = 0; i < static_cast<std::size_t>(c.points); ++i) {
       double& x = (*c.v[i])[axis];
@@ -115,14 +140,14 @@ class Shrinker {
     Query candidate = best_;
     int largest = 0;
     bool any = false;
-    for (const Point3* v : coordinates_of(candidate).v) {
+    for (const Point3* v : vectors_of(candidate).v) {
       if ((*v)[axis] == 0) continue;
       const int e = std::ilogb((*v)[axis]);
       largest = any ? std::max(largest, e) : e;
       any = true;
     }
     if (!any || largest == 0) return false;
-    for (Point3* v : coordinates_of(candidate).v) {
+    for (Point3* v : vectors_of(candidate).v) {
       const double scaled = std::ldexp((*v)[axis], -largest);
       if (!representable(scaled, format_) || std::ldexp(scaled, largest) != (*v)[axis]) return false;
       (*v)[axis] = scaled;
@@ -130,15 +155,30 @@ class Shrinker {
     return offer(candidate);
   }
 
-  bool negate(int axis) {
-    Query candidate = best_;
-    for (Point3* v : coordinates_of(candidate).v) (*v)[axis] = 0.0 - (*v)[axis];
-    return offer(candidate);
+  bool take_smaller_frame() {
+    for (const int bits : frame_bits) {
+      for (const FrameRounding round : frame_roundings) {
+        const std::optional<Query> candidate = in_smaller_frame(best_, format_, bits, round);
+        if (candidate && offer(*candidate)) return true;
+      }
+    }
+    return false;
+  }
+
+  /// From the simplest image up, until one is still answered wrongly.
+  bool take_least_image() {
+    std::vector<std::pair<Cost, Query>> simpler;
+    for (const Query& image : images_of(best_)) {
+      const Cost cost = cost_of(image);
+      if (cost < cost_) simpler.emplace_back(cost, image);
+    }
+    std::ranges::stable_sort(simpler, {}, &std::pair<Cost, Query>::first);
+    return std::ranges::any_of(simpler, [&](const auto& image) { return offer(image.second); });
   }
 
   std::vector<double> distinct(int axis) {
     std::vector<double> values;
-    for (const Point3* v : coordinates_of(best_).v) values.push_back((*v)[axis]);
+    for (const Point3* v : vectors_of(best_).v) values.push_back((*v)[axis]);
     std::ranges::sort(values);
     values.erase(std::unique(values.begin(), values.end()), values.end());
     return values;
@@ -160,7 +200,7 @@ class Shrinker {
   bool replace(int axis, double value, double by) {
     if (by == value && !std::signbit(value)) return false;
     Query candidate = best_;
-    for (Point3* v : coordinates_of(candidate).v) {
+    for (Point3* v : vectors_of(candidate).v) {
       if ((*v)[axis] == value) (*v)[axis] = by;
     }
     return representable(by, format_) && offer(candidate);
@@ -180,5 +220,7 @@ class Shrinker {
 Query shrink(const Method& method, const Query& query, Format format, int budget) {
   return Shrinker(method, query, format, budget).run();
 }
+
+bool is_simpler(const Query& a, const Query& b) { return cost_of(a) < cost_of(b); }
 
 }  // namespace tribunal

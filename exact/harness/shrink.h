@@ -6,10 +6,15 @@
 
 namespace tribunal {
 
-/// Shrinks by exact translation to the origin, powers of two per axis, and per group of equal coordinates: 0, ±1,
-/// fewer significand bits. Keeps the format, the method's wrong answer, the exact class (for rays: the exact contact)
-/// and that the method is wrong. Each step must lower the cost (significand bits, then exponents, then signs), so it
-/// ends and its result is its own fixed point. Deterministic; at most `budget` evaluations of the method.
+/// Shrinks by exact translation to the origin, powers of two per axis, a smaller affine frame (all points that depend
+/// on others move with them), per group of equal coordinates 0, ±1 or fewer significand bits, and last the least image
+/// under the 12 vertex orders and 48 signed axis maps. Keeps the format, the method's wrong answer, the exact class
+/// (for rays: the exact contact) and that the method is wrong. Each step makes the query simpler, so it ends and its
+/// result is its own fixed point. Deterministic; asks the method at most `budget` times.
 Query shrink(const Method& method, const Query& query, Format format, int budget = 2000);
+
+/// Fewer significand bits in all; then exponents nearer to 0; then fewer minus signs; then lexicographically less
+/// (a, b, c, then the probe).
+bool is_simpler(const Query& a, const Query& b);
 
 }  // namespace tribunal

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "exact/certificate/bounds.h"
-#include "exact/certificate/certify.h"
 #include "exact/classes/class_table.h"
 #include "exact/families/table.h"
 #include "exact/families/ulp.h"
@@ -169,7 +168,8 @@ TEST(Fuzz, ThreadsDoNotShow) {
     std::string text = std::to_string(report.cases);
     report.counts.for_each(
         [&](const Cell&, const Count& c) { text += " " + std::to_string(c.asked) + "/" + std::to_string(c.wrong); });
-    for (const Finding& f : report.findings) text += from_case(to_counterexample(plan, f)).dump();
+    for (const Finding& f : report.findings) text += std::to_string(f.method) + "/" + std::to_string(f.k);
+    for (std::size_t i = 0; i < 20; ++i) text += from_case(to_counterexample(plan, report.findings.at(i))).dump();
     reports.push_back(text);
   }
   EXPECT_EQ(reports[0], reports[1]);
@@ -251,42 +251,6 @@ TEST(Bounds, ClopperPearson) {
   EXPECT_EQ(upper_bound(7, 7, 0.05), 1);
   EXPECT_EQ(upper_bound(0, 0, 0.05), 1);
   EXPECT_EQ(lower_bound(0, 50, 0.05), 0);
-}
-
-/// Few cases a class: what is tested is the certificate.
-const Budget tiny{"tiny", 16};
-
-TEST(Certificate, RefutesDoubleAndSaysWhy) {
-  const CertifyPlan plan{.method = method("sf-double"), .budget = tiny, .threads = 2};
-  const Certificate c = certify(plan);
-  EXPECT_EQ(c.verdict, Verdict::refuted);
-  ASSERT_EQ(c.proved.size(), 2U);
-  EXPECT_EQ(c.proved[0].size, 93'888U);
-  EXPECT_EQ(c.proved[0].count.wrong, 0U);
-  EXPECT_EQ(c.proved[1].size, 14'348'907U);
-  EXPECT_EQ(c.proved[1].classes, 114);
-  EXPECT_FALSE(c.counterexamples.empty());
-  const Json json = to_json(plan, c);
-  EXPECT_EQ(json["verdict"], "refuted");
-  for (const Json& row : json["sampled"]) {
-    ASSERT_LE(row["k"].get<double>() / row["n"].get<double>(), row["upper_95"].get<double>());
-    ASSERT_LE(row["upper_95"].get<double>(), row["upper_95_simultaneous"].get<double>());
-  }
-  for (const Gap& gap : c.gaps) EXPECT_TRUE(gap.explained) << gap.what;
-}
-
-TEST(Certificate, ACaseOfTheUsersOwnRefutesToo) {
-  Case own;
-  own.id = "mine";
-  own.query = {Segment{{0.5, 0.25, 0}, {0.5, 0.25, 1}}, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
-  Method lazy = method("sf-rational");
-  lazy.name = "lazy";
-  lazy.segment = [](const Segment& s, const Triangle& t) {
-    return s.q == Point3(0.5, 0.25, 1) ? miss() : find_method("sf-epick")->segment(s, t);
-  };
-  const Certificate c = certify({.method = lazy, .budget = tiny, .threads = 2, .cases = {own}});
-  EXPECT_EQ(c.own_cases.wrong, 1U);
-  EXPECT_EQ(c.verdict, Verdict::refuted);
 }
 
 }  // namespace

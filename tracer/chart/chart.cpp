@@ -3,7 +3,7 @@
 
 #include <cstdio>
 
-#include "exact/certificate/certify.h"
+#include "exact/certificate/bounds.h"
 #include "exact/harness/environment.h"
 #include "tracer/chart/rate.h"
 

@@ -3,7 +3,6 @@
 #include <cstdio>
 
 #include "exact/certificate/bounds.h"
-#include "exact/certificate/certify.h"
 
 namespace tribunal {
 namespace {

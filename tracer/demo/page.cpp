@@ -4,7 +4,6 @@
 #include <cstdio>
 
 #include "exact/certificate/bounds.h"
-#include "exact/certificate/certify.h"
 #include "exact/families/family.h"
 #include "tracer/demo/html.h"
 #include "tracer/demo/page_parts.h"

@@ -1,0 +1,90 @@
+// The certificate: what is proved, what is sampled and what is not covered, kept apart. It is a function of a log of
+// records, so whoever has the log can make it again.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "exact/harness/coverage.h"
+#include "exact/io/json.h"
+#include "exact/log/chain.h"
+#include "exact/log/sample_row.h"
+
+namespace tribunal {
+
+/// A set that was run whole.
+struct ProvedSet {
+  std::string name, oracles, answers_hash;
+  std::uint64_t size = 0;
+  std::uint64_t classes = 0;
+  bool complete = false;
+  Count count{};
+};
+
+/// One sampled sequence of cases, as its family describes it.
+struct SampledStream {
+  std::string family;
+  Format format = Format::binary64;
+  std::string axis, population, judged_by;
+  bool aims_at_classes = false;  ///< every class is drawn, so an empty one is a hole
+  bool taken = true;             ///< false: the operands do not fit the method's format
+  std::uint64_t cases = 0;       ///< drawn, so the counts of every method that takes them must add up to this
+};
+
+/// One sampled stratum: class × stream. The bounds are about cases of this generator under this seed.
+struct Stratum {
+  std::size_t stream;
+  ClassId class_id;
+  Count count;
+};
+
+/// Something that the certificate does not speak of. `explained`: the reason lies in the contract or the family.
+struct Gap {
+  std::string what, reason;
+  bool explained;
+};
+
+enum class Verdict { not_refuted, refuted, incomplete };
+
+std::string name_of(Verdict v);
+
+struct Certificate {
+  Json plan;         ///< the record "plan": method, convention, contract, stages, budget, seed
+  Json environment;  ///< the record "environment"
+  std::vector<Stage> stages;
+  std::vector<ProvedSet> proved;
+  std::vector<SampledStream> streams;
+  std::vector<SampleRow> rows;               ///< of the method on trial
+  std::map<std::string, Count> calibration;  ///< of the naive methods on the same sample
+  std::vector<Json> counterexamples;         ///< cases, as counterexamples.jsonl holds them
+  std::string log_head;                      ///< hash of the log's last line
+
+  // What follows from these.
+  std::vector<Stratum> strata;
+  Coverage coverage;
+  std::vector<Gap> gaps;
+  Verdict verdict = Verdict::incomplete;
+
+  std::string method() const { return plan.at("method"); }
+  Count sampled() const;
+};
+
+/// Fails with Exit::bad_input, naming the line of `path`, if a record is not as it must be.
+Certificate certificate_from(const LogRecords& log, const std::string& path);
+
+Json to_json(const Certificate& c);
+
+/// The same for people.
+std::string to_markdown(const Certificate& c);
+
+/// What the terminal shows.
+std::string to_summary(const Certificate& c);
+
+/// JSON Lines.
+std::string counterexample_lines(const Certificate& c);
+
+/// Writes log.jsonl, certificate.json, certificate.md and counterexamples.jsonl, and returns the certificate.
+Certificate write_certificate(const std::string& directory, ChainedLog& log);
+
+}  // namespace tribunal

@@ -1,0 +1,71 @@
+#include "exact/log/chain.h"
+
+#include <openssl/evp.h>
+
+#include <array>
+#include <cstdio>
+#include <sstream>
+
+#include "exact/io/failure.h"
+#include "exact/io/files.h"
+
+namespace tribunal {
+namespace {
+
+/// Takes the hash off a record; fails if the line is not the text that was hashed.
+std::string take_hash(Json& record, const std::string& line, const Where& where) {
+  if (!record.is_object() || record.dump() != line) where.fail("not a line as it was written");
+  const Json hash = require(record, "sha256", where);
+  if (!hash.is_string()) where.fail("expected a hash in \"sha256\"");
+  record.erase("sha256");
+  return hash;
+}
+
+}  // namespace
+
+std::string sha256(std::string_view bytes) {
+  std::array<unsigned char, 32> digest{};
+  if (EVP_Digest(bytes.data(), bytes.size(), digest.data(), nullptr, EVP_sha256(), nullptr) != 1) {
+    throw Failure(Exit::resources, "libcrypto has no SHA-256");
+  }
+  std::string hex;
+  for (const unsigned char byte : digest) {
+    char two[3];
+    std::snprintf(two, sizeof two, "%02x", byte);
+    hex += two;
+  }
+  return hex;
+}
+
+void ChainedLog::add(Json record) {
+  head_ = sha256(head_ + record.dump());
+  record["sha256"] = head_;
+  text_ += record.dump() + "\n";
+  ++records_;
+}
+
+std::string ChainedLog::finish() {
+  add({{"record", "end"}, {"records", records_}});
+  return text_;
+}
+
+LogRecords read_log(const std::string& path) {
+  std::istringstream lines(read_file(path));
+  LogRecords log{{}, std::string(64, '0')};
+  Where where{path};
+  for (std::string line; std::getline(lines, line);) {
+    ++where.line;
+    Json record = parse_json(line, where);
+    const std::string hash = take_hash(record, line, where);
+    log.head = sha256(log.head + record.dump());
+    if (hash != log.head)
+      where.fail("the line or one before it was changed: its hash is " + log.head + ", not " + hash);
+    log.records.push_back(std::move(record));
+  }
+  const Json end = {{"record", "end"}, {"records", log.records.empty() ? 0 : log.records.size() - 1}};
+  if (log.records.empty() || log.records.back() != end) where.fail("the log is cut short: its end is missing");
+  log.records.pop_back();
+  return log;
+}
+
+}  // namespace tribunal

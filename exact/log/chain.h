@@ -1,0 +1,42 @@
+// A log of JSON records in which no number can be changed unnoticed: each line is chained to all before it.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "exact/io/json.h"
+
+namespace tribunal {
+
+/// SHA-256 (FIPS 180-4) of the bytes, in hex.
+std::string sha256(std::string_view bytes);
+
+/// JSON Lines. Each record ends with a member "sha256": the hash of the previous line's hash (64 zeros before the
+/// first) followed by this record's text without that member. The chain shows accidents and careless edits; it is no
+/// signature: who rewrites every following hash is caught only by what `verify` recomputes.
+class ChainedLog {
+ public:
+  void add(Json record);
+
+  /// Adds the record {"record":"end","records":n}, without which a log is cut short.
+  std::string finish();
+
+  /// The hash of the last line.
+  const std::string& head() const { return head_; }
+
+ private:
+  std::string text_, head_ = std::string(64, '0');
+  std::size_t records_ = 0;
+};
+
+/// A log as it was written.
+struct LogRecords {
+  std::vector<Json> records;  ///< without hashes and without the end
+  std::string head;
+};
+
+/// Reads and checks the chain. Fails with Exit::bad_input at the first line that breaks it, or if the end is missing.
+LogRecords read_log(const std::string& path);
+
+}  // namespace tribunal
