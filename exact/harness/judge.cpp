@@ -68,9 +68,4 @@ Truth truth_of(const Trial& trial, std::uint64_t k) {
   return truth;
 }
 
-Judgement judge(const Method& method, const Truth& truth, const Answer& answer) {
-  if (answer.status != Status::ok) return Judgement::unsupported;
-  return answer.hit == counts_as_hit(truth.contact, method.convention) ? Judgement::right : Judgement::wrong;
-}
-
 }  // namespace tribunal

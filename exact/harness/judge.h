@@ -35,7 +35,10 @@ Truth truth_of(const Trial& trial, std::uint64_t k);
 enum class Judgement : std::uint8_t { right, wrong, unsupported };
 
 /// Judged by the method's own convention: coplanar contacts are misses to a transversal method.
-Judgement judge(const Method& method, const Truth& truth, const Answer& answer);
+inline Judgement judge(const Method& method, const Truth& truth, const Answer& answer) {
+  if (answer.status != Status::ok) return Judgement::unsupported;
+  return answer.hit == counts_as_hit(truth.contact, method.convention) ? Judgement::right : Judgement::wrong;
+}
 
 /// A binary32 method is on trial only where its operands are exact in binary32.
 constexpr bool takes(const Method& method, Format format) {

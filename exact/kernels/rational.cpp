@@ -1,5 +1,4 @@
 #include <cmath>
-#include <cstdint>
 
 #include "exact/kernels/exact_methods.h"
 #include "exact/kernels/rational_kernel.h"
@@ -9,18 +8,19 @@ namespace tribunal {
 
 namespace {
 
-/// An integer of up to 19 bits. The conversion to int is one instruction where std::trunc is a call.
-bool is_small_integer(double x) { return std::fabs(x) < 0x1p19 && static_cast<double>(static_cast<int>(x)) == x; }
+/// An integer of up to 15 bits. The conversion to int is one instruction where std::trunc is a call.
+bool is_small_integer(double x) { return std::fabs(x) < 0x1p15 && static_cast<double>(static_cast<int>(x)) == x; }
 
 bool is_small(const Point3& p) { return is_small_integer(p.x) && is_small_integer(p.y) && is_small_integer(p.z); }
 bool is_small(const Direction& d) { return is_small(d.v); }
 
-/// The rational kernel; but where all coordinates are small integers, as on lattices, the same formulas over 64-bit
-/// integers: |differences| < 2²⁰, so |volumes| < 6·2⁶⁰ < 2⁶³.
+/// The rational kernel; but where all coordinates are small integers, as on lattices, the same formulas in double,
+/// which are exact there: |differences| < 2¹⁶, |minors| < 2³³, |volumes| and all their partial sums < 3·2⁴⁹ < 2⁵³,
+/// integers.
 template <class P, class F>
 Answer over_exact_numbers(const P& probe, const Triangle& t, const F& decide) {
   if (is_small(source(probe)) && is_small(target(probe)) && is_small(t.a) && is_small(t.b) && is_small(t.c)) {
-    return decide(probe, t, FormulaKernel<std::int64_t>{});
+    return decide(probe, t, FormulaKernel<double>{});
   }
   return decide(probe, t, RationalKernel{});
 }
