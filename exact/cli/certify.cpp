@@ -46,7 +46,7 @@ Action declare_certify(CLI::App& app) {
   app.add_option("--seed", o->seed, "seed of the sample")->check(whole_number())->capture_default_str();
   add_threads_option(app, o->threads);
   app.add_option("--out", o->out, "directory for certificate.json, certificate.md, counterexamples.jsonl")->required();
-  return [o] { return run(*o); };
+  return with_plugins(app, [o] { return run(*o); });
 }
 
 }  // namespace tribunal

@@ -94,11 +94,16 @@ Json exact_evidence(const Query& query) {
 }
 
 Json finding_of(const Method& method, const Query& query, const Truth& truth) {
+  return finding_of(method.name, method.convention, method.ask(query).hit, query, truth);
+}
+
+Json finding_of(const std::string& method, Convention convention, bool answered, const Query& query,
+                const Truth& truth) {
   Json finding;
-  finding["method"] = method.name;
-  finding["answered"] = method.ask(query).hit ? 1 : 0;
-  finding["expected"] = counts_as_hit(truth.contact, method.convention) ? 1 : 0;
-  finding["convention"] = name_of(method.convention);
+  finding["method"] = method;
+  finding["answered"] = answered ? 1 : 0;
+  finding["expected"] = counts_as_hit(truth.contact, convention) ? 1 : 0;
+  finding["convention"] = name_of(convention);
   finding["exact"] = exact_evidence(query);
   return finding;
 }

@@ -17,6 +17,10 @@ Json exact_evidence(const Query& query);
 /// What a counterexample says of a method: its answer, the answer due by its convention, and the evidence.
 Json finding_of(const Method& method, const Query& query, const Truth& truth);
 
+/// The same of an answer that was computed elsewhere.
+Json finding_of(const std::string& method, Convention convention, bool answered, const Query& query,
+                const Truth& truth);
+
 /// The finding, shrunk, as a case with a "finding" that says method, answer, origin and evidence.
 Case to_counterexample(const FuzzPlan& plan, const Finding& finding);
 

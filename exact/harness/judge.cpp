@@ -51,9 +51,9 @@ Truth truth_of(const Trial& trial) {
   return trial.class_id != 0 ? from_table(trial.class_id) : exact_truth(trial.query);
 }
 
-Judgement judge(const Method& method, const Truth& truth, const Answer& answer) {
+Judgement judge(Convention convention, const Truth& truth, const Answer& answer) {
   if (answer.status != Status::ok) return Judgement::unsupported;
-  return answer.hit == counts_as_hit(truth.contact, method.convention) ? Judgement::right : Judgement::wrong;
+  return answer.hit == counts_as_hit(truth.contact, convention) ? Judgement::right : Judgement::wrong;
 }
 
 }  // namespace tribunal

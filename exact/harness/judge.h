@@ -29,8 +29,13 @@ Truth truth_of(const Trial& trial);
 
 enum class Judgement : std::uint8_t { right, wrong, unsupported };
 
-/// Judged by the method's own convention: coplanar contacts are misses to a transversal method.
-Judgement judge(const Method& method, const Truth& truth, const Answer& answer);
+/// Judged by the convention that the answer was given under: coplanar contacts are misses to a transversal
+/// method.
+Judgement judge(Convention convention, const Truth& truth, const Answer& answer);
+
+inline Judgement judge(const Method& method, const Truth& truth, const Answer& answer) {
+  return judge(method.convention, truth, answer);
+}
 
 /// A binary32 method is on trial only where its operands are exact in binary32.
 constexpr bool takes(const Method& method, Format format) {
