@@ -1,5 +1,6 @@
 #include "exact/harness/judge_answers.h"
 
+#include <algorithm>
 #include <optional>
 #include <unordered_map>
 
