@@ -97,11 +97,14 @@ void offer_from_sample(SimplestOfClass& simplest, const FuzzPlan& plan, const Fu
 }
 
 /// Before the run: a mistake in the user's file should not cost minutes.
-void require_true_claims(const CertifyPlan& plan) {
-  for (const Case& own : plan.cases) {
-    const std::string error = mistaken_claim(own, exact_truth(own.query));
+std::vector<Truth> truths_of(const std::vector<Case>& cases) {
+  std::vector<Truth> truths;
+  for (const Case& own : cases) {
+    truths.push_back(exact_truth(own.query));
+    const std::string error = mistaken_claim(own, truths.back());
     if (!error.empty()) throw Failure(Exit::bad_input, own.id + ": " + error);
   }
+  return truths;
 }
 
 void end_if_interrupted() {
@@ -133,6 +136,7 @@ void log_plan(ChainedLog& log, const Method& method, const std::string& budget, 
   log.add({{"record", "plan"},
            {"method", method.name},
            {"number", method.number},
+           {"reference", method.reference},
            {"convention", name_of(method.convention)},
            {"contract", method.contract},
            {"stages", stages},
@@ -144,17 +148,16 @@ void log_plan(ChainedLog& log, const Method& method, const std::string& budget, 
 }
 
 void log_own_cases(ChainedLog& log, const Method& method, const std::vector<Case>& cases,
-                   const std::function<Answer(std::size_t)>& answer) {
+                   const std::vector<Truth>& truths, const std::function<Answer(std::size_t)>& answer) {
   for (const Format format : {Format::binary64, Format::binary32}) {
     SampleRow row{.method = method.name, .family = "your own cases", .format = format};
     std::vector<Case> wrong;
     for (std::size_t i = 0; i < cases.size(); ++i) {
       if (cases[i].format != format) continue;
-      const Truth truth = exact_truth(cases[i].query);
       const Answer given = takes(method, format) ? answer(i) : refusal(Status::unsupported);
-      const Judgement j = judge(method, truth, given);
-      row.counts[truth.class_id].add(j, given.stage);
-      if (j == Judgement::wrong) wrong.push_back(with_finding(cases[i], method, truth, given));
+      const Judgement j = judge(method, truths[i], given);
+      row.counts[truths[i].class_id].add(j, given.stage);
+      if (j == Judgement::wrong) wrong.push_back(with_finding(cases[i], method, truths[i], given));
     }
     const std::uint64_t n = total_of(row).asked;
     if (n == 0) continue;
@@ -173,7 +176,7 @@ void log_own_cases(ChainedLog& log, const Method& method, const std::vector<Case
 }
 
 ChainedLog certify(const CertifyPlan& plan) {
-  require_true_claims(plan);
+  const std::vector<Truth> own_truths = truths_of(plan.cases);
   ChainedLog log;
   log_plan(log, plan.method, plan.budget.name, plan.seed);
   const std::vector<ScopeResult> sets = run_sets(plan);
@@ -187,7 +190,8 @@ ChainedLog certify(const CertifyPlan& plan) {
   offer_from_sets(simplest, plan.method, sets);
   offer_from_sample(simplest, sample, report);
   simplest.log_into(log);
-  log_own_cases(log, plan.method, plan.cases, [&](std::size_t i) { return plan.method.ask(plan.cases[i].query); });
+  log_own_cases(log, plan.method, plan.cases, own_truths,
+                [&](std::size_t i) { return plan.method.ask(plan.cases[i].query); });
   return log;
 }
 

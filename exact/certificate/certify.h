@@ -36,10 +36,10 @@ struct CertifyPlan {
 /// The whole trial. Deterministic for a plan, whatever the number of threads. Fails if interrupted.
 ChainedLog certify(const CertifyPlan& plan);
 
-/// The user's own cases as a stream, and each that was answered wrongly as a counterexample. `due` is the method's
-/// format and convention; `answer` is asked for case i.
+/// The user's own cases, whose exact answers are known, as a stream, with each that was answered wrongly as a
+/// counterexample. `answer` says what the method answered to case i; operands that it does not take are not asked.
 void log_own_cases(ChainedLog& log, const Method& method, const std::vector<Case>& cases,
-                   const std::function<Answer(std::size_t)>& answer);
+                   const std::vector<Truth>& truths, const std::function<Answer(std::size_t)>& answer);
 
 /// The records "plan" and "environment", with which every certificate's log begins.
 void log_plan(ChainedLog& log, const Method& method, const std::string& budget, std::uint64_t seed);

@@ -142,12 +142,28 @@ std::string description_of(ClassId id) {
          (row.hit() ? row.touches : "");
 }
 
-std::string worst_classes(const Certificate& c) {
+/// The strata with the most wrong answers.
+std::vector<Stratum> worst_of(const Certificate& c, std::size_t most) {
   std::vector<Stratum> worst;
   std::ranges::copy_if(c.strata, std::back_inserter(worst), [](const Stratum& s) { return s.count.wrong > 0; });
-  if (worst.empty()) return "No class had a wrong answer.\n";
   std::ranges::stable_sort(worst, std::greater{}, [](const Stratum& s) { return s.count.wrong; });
-  if (worst.size() > 20) worst.resize(20);
+  if (worst.size() > most) worst.resize(most);
+  return worst;
+}
+
+std::string worst_line(const Certificate& c) {
+  std::string text;
+  for (const Stratum& s : worst_of(c, 5)) {
+    text += (text.empty() ? "  most in  " : ", ") + name_of_class(s.class_id) + " " + c.streams[s.stream].family + " " +
+            std::string(name_of(c.streams[s.stream].format)) + " " + std::to_string(s.count.wrong) + "/" +
+            std::to_string(s.count.judged());
+  }
+  return text.empty() ? "" : text + "\n";
+}
+
+std::string worst_classes(const Certificate& c) {
+  const std::vector<Stratum> worst = worst_of(c, 20);
+  if (worst.empty()) return "No class had a wrong answer.\n";
   std::string text = "| class | what it is | family | cases | wrong |\n|---|---|---|---|---|\n";
   for (const Stratum& s : worst) {
     const SampledStream& stream = c.streams[s.stream];
@@ -257,7 +273,9 @@ std::string to_summary(const Certificate& c) {
   const Count sampled = c.sampled();
   text += "  sampled  " + std::to_string(sampled.wrong) + " wrong of " + std::to_string(sampled.judged()) + " (" +
           rate_of(sampled) + "), 95 % upper bound " +
-          percent(upper_bound(sampled.wrong, sampled.judged(), confidence_alpha)) + " on these populations\n";
+          percent(upper_bound(sampled.wrong, sampled.judged(), confidence_alpha)) + " on these populations";
+  text += sampled.unsupported == 0 ? "\n" : "; " + std::to_string(sampled.unsupported) + " outside the contract\n";
+  text += worst_line(c);
   text += "  classes  " + c.coverage.to_text(c.stages) + "\n";
   for (const Gap& g : c.gaps) {
     if (!g.explained) text += "  HOLE     " + g.what + ": " + g.reason + "\n";

@@ -35,7 +35,7 @@ Action declare_classify(CLI::App& app) {
   app.add_option("--method", o->methods, "methods, separated by commas")->required();
   app.add_option("--in", o->in, "case file (JSON Lines); - is standard input")->capture_default_str();
   app.add_option("--out", o->out, "answer file (JSON Lines); - is standard output")->capture_default_str();
-  return [o] { return run(*o); };
+  return with_plugins(app, [o] { return run(*o); });
 }
 
 }  // namespace tribunal

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/method.h"
+#include "exact/harness/fuzz.h"
 
 namespace tribunal {
 
@@ -26,6 +27,13 @@ std::vector<Method> methods_named(const std::string& comma_separated);
 /// "a,b" → {"a", "b"}.
 std::vector<std::string> split(const std::string& comma_separated);
 
+/// The named families ("a,b,c"), in both formats, or in all of them if none is named. Fails with Exit::usage, naming
+/// the nearest known family.
+std::vector<Stream> streams_named(const std::string& comma_separated);
+
+/// "affine (what it stresses) ulp (…) …", for --help.
+std::string family_help();
+
 /// The default number of worker threads: one for each core.
 unsigned default_threads();
 
@@ -38,6 +46,9 @@ CLI::Validator whole_number();
 /// --threads, defaulting to default_threads().
 void add_threads_option(CLI::App& app, unsigned& threads);
 
+/// Declares --plugin, repeatable, and returns the action with loading the plugins before it.
+Action with_plugins(CLI::App& app, Action action);
+
 /// 128 + signal if one asked for an end, as shells expect.
 int exit_code_after(int code_if_done, int signal);
 
@@ -46,5 +57,7 @@ Action declare_classify(CLI::App& app);
 Action declare_fuzz(CLI::App& app);
 Action declare_shrink(CLI::App& app);
 Action declare_replay(CLI::App& app);
+Action declare_cases(CLI::App& app);
+Action declare_judge(CLI::App& app);
 
 }  // namespace tribunal

@@ -26,26 +26,11 @@ struct Options {
   bool levels = false, relations = false, resume = false;
 };
 
-std::vector<Stream> streams_named(const std::string& families) {
-  std::vector<Stream> streams;
-  for (const std::string& name : split(families)) {
-    if (find_family(name) == nullptr) {
-      std::vector<std::string> known;
-      for (const Family& f : all_families()) known.emplace_back(f.name);
-      throw Failure(Exit::usage, "unknown family \"" + name + "\", did you mean \"" + nearest(name, known) + "\"?");
-    }
-    for (const Stream& s : all_streams()) {
-      if (s.family->name == name) streams.push_back(s);
-    }
-  }
-  return streams;
-}
-
 FuzzPlan plan_of(const Options& o) {
   constexpr std::uint64_t default_cases = 500'000, no_limit = std::uint64_t{1} << 40;
   FuzzPlan plan;
   plan.methods = methods_named(o.methods);
-  plan.streams = o.families.empty() ? all_streams() : streams_named(o.families);
+  plan.streams = streams_named(o.families);
   plan.seed = o.seed;
   plan.seconds = o.seconds;
   plan.cases = o.count > 0 ? o.count : o.seconds > 0 ? no_limit : default_cases;
@@ -196,17 +181,11 @@ int run(const Options& o) {
   return exit_code_after(code(report.findings.empty() ? Exit::ok : Exit::disagreement), complete ? 0 : interrupted());
 }
 
-std::string family_help() {
-  std::string text = "families, separated by commas (default all):";
-  for (const Family& f : all_families()) text += " " + std::string(f.name) + " (" + std::string(f.stresses) + ")";
-  return text;
-}
-
 }  // namespace
 
 Action declare_fuzz(CLI::App& app) {
   const auto o = std::make_shared<Options>();
-  app.add_option("--method", o->methods, "methods, separated by commas")->capture_default_str();
+  auto* methods = app.add_option("--method", o->methods, "methods, separated by commas")->capture_default_str();
   app.add_option("--family", o->families, family_help());
   app.add_option("--seed", o->seed, "seed of the cases")->check(whole_number())->capture_default_str();
   auto* count =
@@ -222,7 +201,9 @@ Action declare_fuzz(CLI::App& app) {
   app.add_flag("--relations", o->relations, "check relations between answers instead: no oracle is asked")
       ->excludes(seconds);
   app.add_flag("--levels", o->levels, "show each level of the stress axes");
-  return [o] { return run(*o); };
+  const Action action = with_plugins(app, [o] { return run(*o); });
+  app.get_option("--plugin")->needs(methods);  // else it would be loaded and not tried
+  return action;
 }
 
 }  // namespace tribunal

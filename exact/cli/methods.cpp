@@ -43,10 +43,10 @@ std::string lines() {
 Action declare_methods(CLI::App& app) {
   const auto json = std::make_shared<bool>(false);
   app.add_flag("--json", *json, "print JSON Lines instead of a table");
-  return [json] {
+  return with_plugins(app, [json] {
     print(*json ? lines() : table());
     return 0;
-  };
+  });
 }
 
 }  // namespace tribunal

@@ -1,6 +1,7 @@
 // What several commands share.
 #include <algorithm>
 #include <charconv>
+#include <memory>
 #include <sstream>
 #include <thread>
 
@@ -8,6 +9,7 @@
 #include "exact/io/failure.h"
 #include "exact/io/json.h"
 #include "exact/methods.h"
+#include "exact/plugin/load.h"
 
 namespace tribunal {
 namespace {
@@ -18,6 +20,13 @@ const Method& method_named(const std::string& name) {
   for (const Method& m : all_methods()) names.push_back(m.name);
   throw Failure(Exit::usage, "unknown method \"" + name + "\", did you mean \"" + nearest(name, names) +
                                  "\"? `tribunal methods` lists them");
+}
+
+void require_family(const std::string& name) {
+  if (find_family(name) != nullptr) return;
+  std::vector<std::string> known;
+  for (const Family& f : all_families()) known.emplace_back(f.name);
+  throw Failure(Exit::usage, "unknown family \"" + name + "\", did you mean \"" + nearest(name, known) + "\"?");
 }
 
 }  // namespace
@@ -34,6 +43,24 @@ std::vector<Method> methods_named(const std::string& comma_separated) {
   for (const std::string& name : split(comma_separated)) methods.push_back(method_named(name));
   if (methods.empty()) throw Failure(Exit::usage, "no method given, expected names separated by commas");
   return methods;
+}
+
+std::vector<Stream> streams_named(const std::string& comma_separated) {
+  if (comma_separated.empty()) return all_streams();
+  std::vector<Stream> streams;
+  for (const std::string& name : split(comma_separated)) {
+    require_family(name);
+    for (const Stream& s : all_streams()) {
+      if (s.family->name == name) streams.push_back(s);
+    }
+  }
+  return streams;
+}
+
+std::string family_help() {
+  std::string text = "families, separated by commas (default all):";
+  for (const Family& f : all_families()) text += " " + std::string(f.name) + " (" + std::string(f.stresses) + ")";
+  return text;
 }
 
 unsigned default_threads() { return std::max(1U, std::thread::hardware_concurrency()); }
@@ -62,6 +89,16 @@ CLI::Validator whole_number() {
 void add_threads_option(CLI::App& app, unsigned& threads) {
   threads = default_threads();
   app.add_option("--threads", threads, "worker threads")->check(CLI::Range(1U, 1024U))->capture_default_str();
+}
+
+Action with_plugins(CLI::App& app, Action action) {
+  const auto files = std::make_shared<std::vector<std::string>>();
+  app.add_option("--plugin", *files, "shared library with a method of your own (docs/bring-your-own.md); repeatable")
+      ->allow_extra_args(false);
+  return [files, action = std::move(action)] {
+    for (const std::string& file : *files) load_plugin(file);
+    return action();
+  };
 }
 
 int exit_code_after(int code_if_done, int signal) { return signal != 0 ? 128 + signal : code_if_done; }

@@ -54,7 +54,7 @@ int run_shrink(const std::string& file, const std::string& method, const std::st
 Action declare_replay(CLI::App& app) {
   const auto file = std::make_shared<std::string>();
   app.add_option("FILE", *file, "case or counterexample file (JSON Lines); - is standard input")->required();
-  return [file] { return run_replay(*file); };
+  return with_plugins(app, [file] { return run_replay(*file); });
 }
 
 Action declare_shrink(CLI::App& app) {
@@ -65,7 +65,7 @@ Action declare_shrink(CLI::App& app) {
   app.add_option("FILE", o->file, "counterexample file (JSON Lines)")->required();
   app.add_option("--method", o->method, "the method that is wrong, where the file does not name it");
   app.add_option("--out", o->out, "where the shrunk cases go; - is standard output")->capture_default_str();
-  return [o] { return run_shrink(o->file, o->method, o->out); };
+  return with_plugins(app, [o] { return run_shrink(o->file, o->method, o->out); });
 }
 
 }  // namespace tribunal

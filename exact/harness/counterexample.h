@@ -18,7 +18,8 @@ Json exact_evidence(const Query& query);
 /// method's answer (null where operands or contract do not fit) and what it was made with.
 Json finding_of(const Method& method, const Query& query, Format format, const Truth& truth, const Answer& answer);
 
-/// The finding, shrunk, as a case with a "finding" that adds the family, seed, case number and stress level it came from.
+/// The finding, shrunk, as a case with a "finding" that adds the family, seed, case number and stress level it came
+/// from.
 Case to_counterexample(const FuzzPlan& plan, const Finding& finding);
 
 /// The query, shrunk, likewise; `source` says where it came from.

@@ -6,6 +6,8 @@
 #include "exact/harness/interrupt.h"
 #include "exact/harness/parallel.h"
 #include "exact/harness/progress.h"
+#include "exact/io/case_io.h"
+#include "exact/io/failure.h"
 
 namespace tribunal {
 namespace {
@@ -61,6 +63,14 @@ void ask_all(const Method& method, const Chunk& chunk, std::vector<Answer>& answ
   std::ranges::transform(chunk.queries, answers.begin(), [&](const Query& query) { return method.ask(query); });
 }
 
+/// What a batch form must never do. Checked where it is wrong, and on every sixteenth case.
+void require_same_by_ask(const Method& method, const Query& query, const Answer& by_batch) {
+  const Answer by_ask = method.ask(query);
+  if (by_ask.status == by_batch.status && by_ask.hit == by_batch.hit) return;
+  throw Failure(Exit::disagreement, method.name + " answers otherwise in a batch than alone, on " +
+                                        from_case({.id = "batch", .query = query}).dump());
+}
+
 void judge_chunk(const FuzzPlan& plan, const Chunk& chunk, std::size_t m, Worker& worker) {
   const Method& method = plan.methods[m];
   ask_all(method, chunk, worker.answers);
@@ -68,6 +78,9 @@ void judge_chunk(const FuzzPlan& plan, const Chunk& chunk, std::size_t m, Worker
     const Truth& truth = chunk.truths[i];
     const Answer& answer = worker.answers[i];
     const Judgement judgement = judge(method, truth, answer);
+    if (method.batch && (judgement == Judgement::wrong || i % 16 == 0)) {
+      require_same_by_ask(method, chunk.queries[i], answer);
+    }
     worker.counts.at({m, chunk.stream, chunk.trials[i].level, truth.class_id}).add(judgement, answer.stage);
     if (judgement != Judgement::wrong) continue;
     ++worker.wrong;

@@ -109,9 +109,8 @@ Json from_case(const Case& c) {
   return object;
 }
 
-std::vector<Case> read_cases(const std::string& path) {
+void for_each_line(const std::string& path, const std::function<void(const Json& object, const Where& where)>& visit) {
   const std::string text = read_file(path);
-  std::vector<Case> cases;
   std::size_t line_number = 0;
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
@@ -120,8 +119,13 @@ std::vector<Case> read_cases(const std::string& path) {
     const Where where{path, ++line_number};
     if (is_blank(line)) continue;
     if (line.size() > max_line) where.fail("line longer than 1 MiB, expected one JSON object");
-    cases.push_back(to_case(parse_json(line, where), where));
+    visit(parse_json(line, where), where);
   }
+}
+
+std::vector<Case> read_cases(const std::string& path) {
+  std::vector<Case> cases;
+  for_each_line(path, [&](const Json& object, const Where& where) { cases.push_back(to_case(object, where)); });
   if (cases.empty()) throw bad_input(path, 0, "holds no cases, expected one JSON object a line");
   return cases;
 }

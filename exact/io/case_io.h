@@ -1,6 +1,7 @@
 // Case and answer files: JSON Lines, one object a line, as docs/formats.md describes them.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +26,9 @@ struct Case {
 Case to_case(const Json& object, const Where& where);
 
 Json from_case(const Case& c);
+
+/// Calls `visit` with the object on every line that is not blank, in order. A line may have 1 MiB.
+void for_each_line(const std::string& path, const std::function<void(const Json& object, const Where& where)>& visit);
 
 /// Every line of a case file that is not blank, in order. An empty file is an error.
 std::vector<Case> read_cases(const std::string& path);

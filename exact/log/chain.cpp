@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdio>
 #include <sstream>
+#include <utility>
 
 #include "exact/io/failure.h"
 #include "exact/io/files.h"
@@ -37,15 +38,19 @@ std::string sha256(std::string_view bytes) {
   return hex;
 }
 
-void ChainedLog::add(Json record) {
-  head_ = sha256(head_ + record.dump());
-  record["sha256"] = head_;
+void ChainedLog::append(Json record) {
+  log_.head = sha256(log_.head + record.dump());
+  record["sha256"] = log_.head;
   text_ += record.dump() + "\n";
-  ++records_;
+}
+
+void ChainedLog::add(Json record) {
+  append(record);
+  log_.records.push_back(std::move(record));
 }
 
 std::string ChainedLog::finish() {
-  add({{"record", "end"}, {"records", records_}});
+  append({{"record", "end"}, {"records", log_.records.size()}});
   return text_;
 }
 

@@ -12,6 +12,12 @@ namespace tribunal {
 /// SHA-256 (FIPS 180-4) of the bytes, in hex.
 std::string sha256(std::string_view bytes);
 
+/// A log's records, without hashes and without the end, and the hash of its last line.
+struct LogRecords {
+  std::vector<Json> records;
+  std::string head;
+};
+
 /// JSON Lines. Each record ends with a member "sha256": the hash of the previous line's hash (64 zeros before the
 /// first) followed by this record's text without that member. The chain shows accidents and careless edits; it is no
 /// signature: who rewrites every following hash is caught only by what `verify` recomputes.
@@ -19,21 +25,16 @@ class ChainedLog {
  public:
   void add(Json record);
 
-  /// Adds the record {"record":"end","records":n}, without which a log is cut short.
+  /// Adds the record {"record":"end","records":n}, without which a log is cut short, and returns the text.
   std::string finish();
 
-  /// The hash of the last line.
-  const std::string& head() const { return head_; }
+  const LogRecords& so_far() const { return log_; }
 
  private:
-  std::string text_, head_ = std::string(64, '0');
-  std::size_t records_ = 0;
-};
+  void append(Json record);
 
-/// A log as it was written.
-struct LogRecords {
-  std::vector<Json> records;  ///< without hashes and without the end
-  std::string head;
+  std::string text_;
+  LogRecords log_{{}, std::string(64, '0')};
 };
 
 /// Reads and checks the chain. Fails with Exit::bad_input at the first line that breaks it, or if the end is missing.

@@ -13,3 +13,6 @@ expect() {
 
 # says FILE TEXT: the file of $scratch holds the text.
 says() { grep -qF -- "$2" "$scratch/$1" || { echo "expected '$2' in $1:" >&2; cat "$scratch/$1" >&2; exit 1; }; }
+
+# lacks FILE TEXT: the file of $scratch does not hold the text.
+lacks() { ! grep -qF -- "$2" "$scratch/$1" || { echo "unexpected '$2' in $1:" >&2; cat "$scratch/$1" >&2; exit 1; }; }

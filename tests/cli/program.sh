@@ -5,7 +5,7 @@ one_line_error() { [ "$(wc -l <"$scratch/err")" -eq 1 ] && [ ! -s "$scratch/out"
 
 expect 0 --help && says out fuzz
 expect 0 --version && says out 'tribunal 0.1'
-for command in methods classify fuzz shrink replay certify render chart demo; do
+for command in methods classify fuzz cases judge shrink replay certify render chart demo; do
   expect 0 "$command" --help && says out "tribunal $command"
   expect 2 "$command" --no-such-flag && says err "(see tribunal $command --help)" && one_line_error
 done

@@ -86,13 +86,13 @@ Action declare_certify(CLI::App& app) {
   add_threads_option(app, o->threads);
   app.add_option("--out", o->out, "directory for certificate.json, certificate.md, log.jsonl, counterexamples.jsonl")
       ->required();
-  return [o] { return run(*o); };
+  return with_plugins(app, [o] { return run(*o); });
 }
 
 Action declare_verify(CLI::App& app) {
   const auto directory = std::make_shared<std::string>();
   app.add_option("DIR", *directory, "what certify --out wrote")->required();
-  return [directory] { return run_verify(*directory); };
+  return with_plugins(app, [directory] { return run_verify(*directory); });
 }
 
 }  // namespace tribunal

@@ -217,7 +217,7 @@ Action declare_render(CLI::App& app) {
       ->capture_default_str();
   app.add_option("--threads", o->threads, "worker threads")->check(CLI::Range(1u, 1024u))->capture_default_str();
   app.add_option("--max-cases", o->max_cases, "at most so many cases with --against")->capture_default_str();
-  return [o] { return run(*o); };
+  return with_plugins(app, [o] { return run(*o); });
 }
 
 }  // namespace tribunal

@@ -1,0 +1,72 @@
+// tribunal cases: generated cases as a file, for tests that live elsewhere.
+#include <memory>
+
+#include "exact/cli/command.h"
+#include "exact/io/case_io.h"
+#include "exact/io/failure.h"
+#include "exact/io/files.h"
+
+namespace tribunal {
+namespace {
+
+/// A file of so many cases has about 4 GB, as much as we read.
+constexpr std::uint64_t most_cases = 10'000'000;
+
+struct Options {
+  std::string families, format, out = "-";
+  std::uint64_t seed = 1, count = 10'000;
+  bool with_answers = false;
+};
+
+std::vector<Stream> streams_of(const Options& o) {
+  std::vector<Stream> streams;
+  for (const Stream& s : streams_named(o.families)) {
+    if (o.format.empty() || o.format == name_of(s.format)) streams.push_back(s);
+  }
+  return streams;
+}
+
+/// Case g: the streams take turns, as in fuzz.
+Case case_at(const std::vector<Stream>& streams, std::uint64_t g, const Options& o) {
+  const Stream& stream = streams[g % streams.size()];
+  const std::uint64_t number = g / streams.size();
+  const std::string k = std::to_string(number);
+  const Trial trial = stream.family->make(stream.format, o.seed, number);
+  Case c;
+  c.id = std::string(stream.family->name) + "-" + std::string(name_of(stream.format)) + "-" + k;
+  c.format = stream.format;
+  c.query = trial.query;
+  c.source = "family " + std::string(stream.family->name) + ", seed " + std::to_string(o.seed) + ", case " + k;
+  if (!o.with_answers) return c;
+  const Truth truth = truth_of(trial, number);
+  c.expect = truth.hit();
+  c.class_id = truth.class_id;
+  return c;
+}
+
+int run(const Options& o) {
+  const std::vector<Stream> streams = streams_of(o);
+  std::string lines;
+  for (std::uint64_t g = 0; g < o.count; ++g) lines += from_case(case_at(streams, g, o)).dump() + "\n";
+  write_file(o.out, lines);
+  return 0;
+}
+
+}  // namespace
+
+Action declare_cases(CLI::App& app) {
+  const auto o = std::make_shared<Options>();
+  app.add_option("--family", o->families, family_help());
+  app.add_option("--fmt", o->format, "only cases of this format (default both, in turn)")
+      ->check(CLI::IsMember({"binary32", "binary64"}));
+  app.add_option("--seed", o->seed, "seed of the cases")->check(whole_number())->capture_default_str();
+  app.add_option("--count", o->count, "cases in all")
+      ->check(whole_number())
+      ->check(CLI::Range(std::uint64_t{1}, most_cases))
+      ->capture_default_str();
+  app.add_flag("--with-answers", o->with_answers, "give the exact answer and the class with each case");
+  app.add_option("--out", o->out, "case file (JSON Lines); - is standard output")->capture_default_str();
+  return [o] { return run(*o); };
+}
+
+}  // namespace tribunal

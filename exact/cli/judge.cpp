@@ -1,0 +1,89 @@
+// tribunal judge: answers computed anywhere, held against the exact ones.
+#include <cctype>
+#include <memory>
+
+#include "exact/certificate/certificate.h"
+#include "exact/certificate/certify.h"
+#include "exact/cli/command.h"
+#include "exact/harness/judge_answers.h"
+#include "exact/io/failure.h"
+#include "exact/io/files.h"
+
+namespace tribunal {
+namespace {
+
+struct Options {
+  std::string cases, answers, convention = "closed", out;
+  unsigned threads = 1;
+};
+
+Convention convention_of(const Options& o) {
+  return o.convention == name_of(Convention::closed) ? Convention::closed : Convention::transversal;
+}
+
+/// The log of a trial that consists of these cases and answers.
+ChainedLog log_of(const Exam& exam, const AnswerSheet& sheet, Convention convention) {
+  const Method method = method_of(sheet, convention);
+  ChainedLog log;
+  log_plan(log, method, "the cases of a file", 0);
+  log_own_cases(log, method, exam.cases, exam.truths, [&](std::size_t i) { return sheet.answers[i]; });
+  return log;
+}
+
+/// A name as a directory's: letters, digits, '-', '_'.
+std::string directory_name(std::string name) {
+  for (char& c : name) {
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-') c = '_';
+  }
+  return name;
+}
+
+/// One sheet: in the directory itself; several: each in a numbered directory of its name.
+std::string write_report(const std::string& out, std::vector<ChainedLog>& logs, const std::vector<Certificate>& all) {
+  std::string text;
+  for (std::size_t i = 0; i < logs.size(); ++i) {
+    const std::string name = std::to_string(i + 1) + "-" + directory_name(all[i].method());
+    const std::string directory = logs.size() == 1 ? out : out + "/" + name;
+    make_directory(directory);
+    write_certificate(directory, logs[i]);
+    text += "see " + directory + "/certificate.md\n";
+  }
+  return text;
+}
+
+int run(const Options& o) {
+  if (o.cases == "-" && o.answers == "-") throw Failure(Exit::usage, "--cases and --answers are both standard input");
+  const Exam exam = read_exam(o.cases, o.threads);
+  std::vector<ChainedLog> logs;
+  std::vector<Certificate> all;
+  std::string text;
+  Count sum;
+  for (const AnswerSheet& sheet : read_answers(o.answers, exam.cases)) {
+    logs.push_back(log_of(exam, sheet, convention_of(o)));
+    all.push_back(certificate_from(logs.back().so_far(), o.answers));
+    sum += all.back().sampled();
+    text += to_summary(all.back());
+  }
+  if (sum.judged() == 0) throw bad_input(o.answers, 0, "no answer is \"ok\", nothing to judge");
+  if (!o.out.empty()) text += write_report(o.out, logs, all);
+  print(text);
+  return code(sum.wrong > 0 ? Exit::disagreement : Exit::ok);
+}
+
+}  // namespace
+
+Action declare_judge(CLI::App& app) {
+  const auto o = std::make_shared<Options>();
+  app.add_option("--cases", o->cases, "case file (JSON Lines); - is standard input")->required();
+  app.add_option("--answers", o->answers, "answer file (JSON Lines), one answer a case and method")->required();
+  app.add_option("--convention", o->convention, "what the answers promise of coplanar contacts")
+      ->check(CLI::IsMember({"closed", "transversal"}))
+      ->capture_default_str();
+  add_threads_option(app, o->threads);
+  app.add_option("--out", o->out,
+                 "directory for the report, as certify writes it: certificate.json and .md, log.jsonl, "
+                 "counterexamples.jsonl; a directory for each method if the answers name several");
+  return [o] { return run(*o); };
+}
+
+}  // namespace tribunal

@@ -1,0 +1,67 @@
+#include "exact/plugin/load.h"
+
+#include <dlfcn.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <utility>
+
+#include "exact/harness/fp_environment.h"
+#include "exact/io/failure.h"
+#include "exact/io/files.h"
+#include "exact/log/chain.h"
+#include "exact/methods.h"
+
+namespace tribunal {
+namespace {
+
+constexpr const char* entry_point = "tribunal_plugin_describe";
+
+/// dlopen searches the system for a name without a slash; we mean the file.
+std::string as_path(const std::string& file) { return file.find('/') == std::string::npos ? "./" + file : file; }
+
+void require_file(const std::string& file) {
+  if (std::filesystem::is_directory(file)) throw bad_input(file, 0, "is a directory, expected a shared library");
+  if (access(file.c_str(), R_OK) != 0) throw bad_input(file, 0, std::string("cannot read: ") + std::strerror(errno));
+}
+
+/// What dlerror says, without the path that it starts with.
+std::string why_not_loaded(const std::string& path) {
+  std::string why = dlerror();
+  if (why.starts_with(path + ": ")) why.erase(0, path.size() + 2);
+  return why;
+}
+
+/// Loaded for good: the method's functions live in it.
+void* load_library(const std::string& file) {
+  const std::string path = as_path(file);
+  if (void* const library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL)) return library;
+  throw bad_input(file, 0, "cannot be loaded as a shared library: " + why_not_loaded(path));
+}
+
+}  // namespace
+
+std::string load_plugin(const std::string& file) {
+  require_file(file);
+  void* const library = load_library(file);
+  using Describe = const tribunal_plugin*();
+  const auto describe = reinterpret_cast<Describe*>(dlsym(library, entry_point));
+  if (describe == nullptr) {
+    throw bad_input(file, 0, std::string("does not export ") + entry_point + ", expected a plugin (tribunal_plugin.h)");
+  }
+  const tribunal_plugin* const plugin = describe();
+  require_exact_rounding();  // whatever the library did as it was loaded and asked
+  if (plugin == nullptr) throw bad_input(file, 0, std::string(entry_point) + " returned NULL");
+  Method method = plugin_method(*plugin, file);
+  const std::string name = method.name;
+  if (find_method(name) != nullptr) {
+    throw Failure(Exit::usage, file + ": there is a method called " + name + " already, expected a name of its own");
+  }
+  method.reference += "; library sha256 " + sha256(read_file(file));
+  add_method(std::move(method));
+  return name;
+}
+
+}  // namespace tribunal

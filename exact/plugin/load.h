@@ -1,0 +1,26 @@
+// A user's own intersection test, in a shared library, as a method.
+#pragma once
+
+#include <string>
+
+#include "core/method.h"
+#include "exact/plugin/tribunal_plugin.h"
+
+namespace tribunal {
+
+/// Loads the library, adds its method to the table (exact/methods.h) and returns the method's name. The library stays
+/// loaded until the program ends. Before any thread starts. Fails with Exit::bad_input, naming the file, if it is
+/// missing, is no library, or describes no method (below); with Exit::usage if the method's name is taken.
+///
+/// A library built with -ffast-math turns flushing to zero on as it is loaded; that is undone.
+std::string load_plugin(const std::string& file);
+
+/// The method described. Fails with Exit::bad_input if the description breaks the rules of tribunal_plugin.h; only
+/// `abi` is read of one for another version. `file` stands for the plugin in messages.
+///
+/// The method fails with Exit::bad_input when the plugin gives an answer that is none, and with Exit::fp_environment
+/// when it changes the floating-point environment: the judges run on the same thread. Coordinates beyond binary32
+/// that would round to infinity are outside a binary32 plugin's contract.
+Method plugin_method(const tribunal_plugin& plugin, const std::string& file);
+
+}  // namespace tribunal

@@ -1,0 +1,95 @@
+#!/usr/bin/env bash
+# cases and judge from end to end: a test in Python that is linked with nothing is judged, and each kind of bad input
+# is refused at its line.
+source "$(dirname "$0")/common.bash"
+cd "$scratch"
+python=/usr/bin/python3
+example=$SOURCE_DIR/docs/examples/judge_my_test.py
+
+# Cases are a function of family, format, seed and number, and say nothing of the answer unless asked.
+expect 0 cases --count 3260 --family affine,ulp --out cases.jsonl
+[ "$(wc -l <cases.jsonl)" -eq 3260 ]
+[ "$(cut -d'"' -f4 cases.jsonl | sort -u | wc -l)" -eq 3260 ]
+says cases.jsonl '"id":"affine-binary64-0"' && says cases.jsonl '"id":"ulp-binary32-814"' && says cases.jsonl 'family affine, seed 1, case 17"'
+lacks cases.jsonl '"expect"' && lacks cases.jsonl '"class"'
+expect 0 cases --count 1630 --family affine,ulp && head -n 1630 cases.jsonl | cmp - out
+expect 0 cases --count 8 --family affine --fmt binary32 --seed 2 && lacks out binary64 && says out 'seed 2'
+expect 0 cases --count 3260 --family affine,ulp --with-answers --out known.jsonl
+$python - <<'PYTHON'
+import json
+plain, known = ([json.loads(line) for line in open(f)] for f in ("cases.jsonl", "known.jsonl"))
+assert all(k.pop("expect") in (0, 1) and k.pop("class") and k == p for p, k in zip(plain, known))
+PYTHON
+expect 2 cases --count 0
+expect 2 cases --family afine && says err 'did you mean "affine"?'
+expect 2 cases --fmt binary16
+expect 5 cases --count 5 --out /dev/full
+
+# A naive test in Python fails where sf-double does; with fractions in place of floats, the same lines never do.
+expect 0 cases --family affine --fmt binary64 --count 2608 --out affine.jsonl
+$python "$example" affine.jsonl >naive.jsonl
+expect 1 judge --cases affine.jsonl --answers naive.jsonl --out naive
+says out 'mine-float: refuted' && says out "most in  C"
+expect 0 verify naive
+$python "$SOURCE_DIR/docs/check_counterexample.py" naive/counterexamples.jsonl
+expect 1 judge --cases affine.jsonl --answers naive.jsonl --out one --threads 1 && diff -r naive one
+$python - <<'PYTHON'
+import json
+wrong = [json.loads(line) for line in open("naive/counterexamples.jsonl")]
+rows = json.load(open("naive/certificate.json"))["sampled"]
+assert sum(row["n"] + row["unsupported"] for row in rows) <= 2608 and 80 < len(rows) <= 163
+assert sum(row["k"] for row in rows) == len(wrong) > 100
+answers = {a["id"]: a for a in map(json.loads, open("naive.jsonl"))}
+assert all(answers[w["id"]]["hit"] == w["finding"]["answered"] != w["expect"] for w in wrong)
+PYTHON
+$python "$example" --exact affine.jsonl >exact.jsonl
+expect 0 judge --cases affine.jsonl --answers exact.jsonl && says out mine-fraction
+
+# What classify writes can be judged, several methods in one file, and agrees with what fuzz says of the same cases.
+expect 0 classify --method sf-double,sf-rational --in affine.jsonl --out two.jsonl
+expect 1 judge --cases affine.jsonl --answers two.jsonl --out two && says out sf-rational
+expect 1 fuzz --method sf-double --family affine --count 5216 --out fuzzed
+$python - <<'PYTHON'
+import json
+judged = {row["class"]: row["k"] for row in json.load(open("two/1-sf-double/certificate.json"))["sampled"]}
+fuzzed = {row["class"]: row["wrong"] for row in json.load(open("fuzzed/summary.json"))["counts"]
+          if row["fmt"] == "binary64"}
+assert judged == fuzzed and len(judged) == 163
+PYTHON
+
+# Conventions: a segment in the plane.
+echo '{"id":"flat","seg":[[0.25,0.25,0],[0.5,0.25,0]],"tri":[[0,0,0],[1,0,0],[0,1,0]]}' >flat.jsonl
+echo '{"id":"flat","hit":0}' >miss.jsonl
+expect 1 judge --cases flat.jsonl --answers miss.jsonl && says out 'answers: refuted'
+expect 0 judge --cases flat.jsonl --answers miss.jsonl --convention transversal
+echo '{"id":"flat","hit":1}' | "$TRIBUNAL" judge --cases flat.jsonl --answers - >out
+
+# refused MESSAGE LINE…: a file of these answers to case "flat" is bad input.
+refused() {
+  printf '%s\n' "${@:2}" >bad.jsonl
+  expect 3 judge --cases flat.jsonl --answers bad.jsonl --out nothing
+  says err "$1"
+  [ "$(wc -l <err)" -eq 1 ] && [ ! -s out ] && [ ! -e nothing ] || { echo "$1: expected one line and no output" >&2; exit 1; }
+}
+refused 'bad.jsonl:1: answers "steep", which is no case'"'"'s id' '{"id":"steep","hit":1}'
+refused 'bad.jsonl:3: a second answer of answers to "flat"' '{"id":"flat","hit":1}' '' '{"id":"flat","hit":1}'
+refused 'bad.jsonl:1: missing "hit"' '{"id":"flat"}'
+refused 'bad.jsonl:1: missing "id"' '{"hit":1}'
+refused 'bad.jsonl:1: hit: expected 0 or 1, found true' '{"id":"flat","hit":true}'
+refused 'bad.jsonl:1: hit: given with a status' '{"id":"flat","hit":1,"status":"unsupported"}'
+refused 'bad.jsonl:1: status: expected "ok", "nonfinite" or "unsupported", found "fine"' '{"id":"flat","hit":1,"status":"fine"}'
+refused 'bad.jsonl:1: unknown key "hits", did you mean "hit"?' '{"id":"flat","hits":1}'
+refused 'bad.jsonl:1: method: expected a string' '{"id":"flat","hit":1,"method":7}'
+refused 'bad.jsonl:1: not valid JSON' '{"id":"flat","hit":1'
+refused 'bad.jsonl: no answer is "ok"' '{"id":"flat","status":"unsupported"}'
+: >bad.jsonl && expect 3 judge --cases flat.jsonl --answers bad.jsonl && says err 'bad.jsonl: holds no answers'
+head -n 2600 exact.jsonl >short.jsonl
+expect 3 judge --cases affine.jsonl --answers short.jsonl && says err 'short.jsonl: 8 of 2608 answers of mine-fraction are missing, the first to "affine-binary64-2600"'
+cat flat.jsonl flat.jsonl >double.jsonl
+expect 3 judge --cases double.jsonl --answers miss.jsonl && says err 'double.jsonl:2: id "flat" again, it was on line 1'
+sed 's/"tri"/"expect":0,"tri"/' flat.jsonl >liar.jsonl
+expect 3 judge --cases liar.jsonl --answers miss.jsonl && says err 'flat: the case expects no hit'
+expect 3 judge --cases nothing.jsonl --answers miss.jsonl && says err 'nothing.jsonl: cannot read'
+expect 2 judge --cases - --answers - && says err 'both standard input'
+expect 2 judge --cases flat.jsonl
+expect 2 judge --cases flat.jsonl --answers miss.jsonl --convention open

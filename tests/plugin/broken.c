@@ -1,0 +1,54 @@
+/* Plugins that break one promise each: compile with -DNAME='"x"' and the like. The rest of it always misses. */
+#include "tribunal_plugin.h"
+
+#ifdef CHANGES_ROUNDING
+#include <fenv.h>
+#endif
+
+#ifdef FLUSHES_TO_ZERO /* as gcc 12 does for a library that is linked with -ffast-math */
+#include <immintrin.h>
+__attribute__((constructor)) static void flush(void) { _mm_setcsr(_mm_getcsr() | 0x8040); }
+#endif
+
+#ifndef ABI
+#define ABI TRIBUNAL_PLUGIN_ABI
+#endif
+#ifndef NAME
+#define NAME "broken"
+#endif
+#ifndef CONTRACT
+#define CONTRACT "segment; any triangle"
+#endif
+#ifndef FORMAT
+#define FORMAT TRIBUNAL_BINARY64
+#endif
+#ifndef CONVENTION
+#define CONVENTION TRIBUNAL_CLOSED
+#endif
+#ifndef ASK
+#define ASK ask
+#endif
+#ifndef ANSWER
+#define ANSWER TRIBUNAL_MISS
+#endif
+
+int ask(int probe, const double query[15]);
+int ask(int probe, const double query[15]) {
+  (void)query;
+#ifdef CHANGES_ROUNDING
+  fesetround(FE_UPWARD);
+#endif
+#ifdef CRASHES
+  *(volatile int*)0 = 1;
+#endif
+  return probe == TRIBUNAL_RAY ? TRIBUNAL_UNSUPPORTED : ANSWER;
+}
+
+const tribunal_plugin* tribunal_plugin_describe(void) {
+#ifdef NOTHING
+  return NULL;
+#else
+  static const tribunal_plugin plugin = {ABI, NAME, CONTRACT, "breaks a promise", NULL, FORMAT, CONVENTION, ASK, NULL};
+  return &plugin;
+#endif
+}
