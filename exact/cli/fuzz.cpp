@@ -168,6 +168,7 @@ void write_findings(const Options& o, const FuzzPlan& plan, const FuzzReport& re
 int run(const Options& o) {
   const FuzzPlan plan = plan_of(o);
   if (o.relations) return run_relations(plan, o.out);
+  watch_interrupts();  // from here on a signal leaves a checkpoint
   const FuzzReport report = run_plan(o, plan);
   if (report.cases == 0) throw Failure(Exit::resources, "no case was run");
   print(table(plan, report, o.levels) + coverage(plan, report) + totals(plan, report));

@@ -38,7 +38,7 @@ echo '{"id":"liar","seg":[[0,0,1],[0,0,-1]],"tri":[[0,0,0],[1,0,0],[0,1,0]],"exp
 expect 1 replay liar.jsonl && says out 'THE FILE IS WRONG: the case expects no hit'
 expect 5 classify --method sf-double --in cases.jsonl --out /dev/full
 
-expect 0 fuzz --method sf-rational,sf-epick --count 3000 && says out 'affine binary64 '
+expect 0 fuzz --method sf-rational,sf-epick --count 3000 && says out 'classes judged  sf-rational: binary64 '
 expect 1 fuzz --method sf-double --family affine --seed 7 --count 20000 --threads 1 --out one
 expect 1 fuzz --method sf-double --family affine --seed 7 --count 20000 --threads 5 --out five
 diff -r one five
