@@ -22,15 +22,26 @@ bool rounds_as_expected() {
   return nearest && tiny * 2 != 0 && tiny + tiny != 0 && tiny_f * 2 != 0 && std::fegetround() == FE_TONEAREST;
 }
 
+#if defined(__SSE2__)
+constexpr unsigned flush_to_zero = 1U << 15, denormals_are_zero = 1U << 6, rounding = 3U << 13;
+#endif
+
 void repair() {
   std::fesetround(FE_TONEAREST);
 #if defined(__SSE2__)
-  constexpr unsigned flush_to_zero = 1U << 15, denormals_are_zero = 1U << 6;
   _mm_setcsr(_mm_getcsr() & ~(flush_to_zero | denormals_are_zero));
 #endif
 }
 
 }  // namespace
+
+bool rounding_is_intact() {
+#if defined(__SSE2__)
+  return (_mm_getcsr() & (flush_to_zero | denormals_are_zero | rounding)) == 0;
+#else
+  return std::fegetround() == FE_TONEAREST;
+#endif
+}
 
 bool require_exact_rounding() {
   if (rounds_as_expected()) return false;

@@ -3,8 +3,10 @@
 #include <algorithm>
 
 #include "exact/classes/class_table.h"
+#include "exact/harness/fp_environment.h"
 #include "exact/harness/parallel.h"
 #include "exact/harness/progress.h"
+#include "exact/io/failure.h"
 
 namespace tribunal {
 namespace {
@@ -32,6 +34,14 @@ struct Worker {
   std::uint64_t wrong = 0;
 };
 
+/// A method that leaves its thread in another environment would spoil every answer after its own, oracles included.
+void require_intact_rounding(const Method& method) {
+  if (rounding_is_intact()) return;
+  require_exact_rounding();
+  throw Failure(Exit::fp_environment,
+                method.name + " changed the floating-point environment of its thread (rounding, or flush to zero)");
+}
+
 /// Case g of the plan: streams take turns.
 void run_case(const FuzzPlan& plan, std::uint64_t g, Worker& worker) {
   const std::size_t stream = g % plan.streams.size();
@@ -43,6 +53,7 @@ void run_case(const FuzzPlan& plan, std::uint64_t g, Worker& worker) {
     const Method& method = plan.methods[m];
     if (!takes(method, source.format)) continue;
     const Answer answer = method.ask(trial.query);
+    require_intact_rounding(method);
     const Judgement judgement = judge(method, truth, answer);
     worker.counts.at({m, stream, trial.level, truth.class_id}).add(judgement);
     if (judgement != Judgement::wrong) continue;
