@@ -51,7 +51,7 @@ Method by_expansions(const char* name, const char* what, SignOfDeterminant sign)
 
 }  // namespace
 
-/// None where the processor has no fused operation.
+/// None where the processor has no fused operation, or the compiler does no harm with it.
 std::vector<Method> contraction_bugs() {
 #if defined(TRIBUNAL_CONTRACTS)
   if (__builtin_cpu_supports("fma")) {
