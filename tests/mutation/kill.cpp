@@ -105,14 +105,23 @@ void signs_by_hand() {
   require(lift<std::int64_t>(p).y == 2 && value(lexicographic(o, p, k)) == 1, "lift");
 }
 
-/// Heights of planes x + y + z = h over the origin are their parameters on the ray (1,1,1)·t, times 3.
+/// By hand: one chirotope of each rank.
+void chirotopes_by_hand() {
+  const Point3 o(0, 0, 0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+  require(chirotope(Segment{z, o}, Triangle{o, x, y}, k) == Chirotope{4, 201}, "rank 4: + 0 0 0 -");
+  require(chirotope(Segment{o, o}, Triangle{o, x, y}, k) == Chirotope{3, 49243}, "rank 3: + 0 0 0 0 0 + + 0 0");
+  require(chirotope(Segment{x * 3.0, x * 4.0}, Triangle{o, x, x + x}, k) == Chirotope{2, 59048}, "rank 2: all +");
+  require(chirotope(Segment{x, x}, Triangle{x, x, x}, k) == Chirotope{1, 0}, "rank 1: nothing");
+}
+
+/// The ray (1,1,1)·(1 + t) reaches the plane x + y + z = h at t = h/3 − 1, from 0 on.
 void hit_order() {
   const auto plane = [](double h) { return Triangle{{h, 0, 0}, {0, h, 0}, {0, 0, h}}; };
   const auto turned = [](const Triangle& t) { return Triangle{t.b, t.a, t.c}; };
   for (const double direction : {1.0, -1.0}) {
-    const Ray r{Point3(0.0), {Point3(direction)}};
-    for (int i = 1; i <= 4; ++i) {
-      for (int j = 1; j <= 4; ++j) {
+    const Ray r{Point3(direction), {Point3(direction)}};
+    for (int i = 3; i <= 6; ++i) {
+      for (int j = 3; j <= 6; ++j) {
         const Sign order = sign_of(i - j);
         const Triangle s = plane(i * direction), t = plane(j * direction);
         require(k.compare_hits(r, s, t) == order && k.compare_hits(r, turned(s), t) == order &&
@@ -120,7 +129,7 @@ void hit_order() {
                 "order of hits");
       }
     }
-    const auto at = hit_parameter<std::int64_t>(r, plane(2 * direction));
+    const auto at = hit_parameter<std::int64_t>(r, plane(5 * direction));
     require(3 * at.num == 2 * at.den && at.den != 0, "hit parameter");
   }
   const Ray off{{1, 0, 0}, {{1, 2, 3}}};
@@ -245,6 +254,7 @@ int main(int argc, char** argv) {
   if (argc != 2) return 2;
   read_classes(argv[1]);
   signs_by_hand();
+  chirotopes_by_hand();
   hit_order();
   ends();
   five_point_line();
