@@ -1,8 +1,8 @@
 // Sign of a 3×3 determinant by floating-point expansions. All of it has internal linkage: two translation units compile
-// it with different floating-point flags, and the linker must not take one's code for the other's. The small functions are
-// always inlined, since a product and a sum are contracted only where the compiler sees both.
-// Source: Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", Discrete &
-// Computational Geometry 18, 1997 (Two-Sum, Split, Two-Product, Grow-Expansion: theorems 7, 17, 18, 10).
+// it with different floating-point flags, and the linker must not take one's code for the other's. The small functions
+// are always inlined, since a product and a sum are contracted only where the compiler sees both. Source: Shewchuk,
+// "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", Discrete & Computational
+// Geometry 18, 1997 (Two-Sum, Split, Two-Product, Grow-Expansion: theorems 7, 17, 18, 10).
 #pragma once
 
 namespace {
