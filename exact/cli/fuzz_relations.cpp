@@ -19,12 +19,12 @@ double share(const RelationCount& c) {
 std::string table(const FuzzPlan& plan, const std::vector<RelationCount>& counts) {
   std::string text;
   char line[240];
-  std::snprintf(line, sizeof line, "%-14s %-13s %10s %10s  %-10s %s\n", "method", "relation", "asked", "broken",
+  std::snprintf(line, sizeof line, "%-14s %-14s %10s %10s  %-10s %s\n", "method", "relation", "asked", "broken",
                 "share", "what must hold");
   text += line;
   for (const RelationCount& c : counts) {
     const Relation& relation = all_relations()[c.relation];
-    std::snprintf(line, sizeof line, "%-14s %-13s %10llu %10llu  %-8.4f %% %s\n", plan.methods[c.method].name.c_str(),
+    std::snprintf(line, sizeof line, "%-14s %-14s %10llu %10llu  %-8.4f %% %s\n", plan.methods[c.method].name.c_str(),
                   std::string(relation.name).c_str(), static_cast<unsigned long long>(c.asked),
                   static_cast<unsigned long long>(c.broken), 100 * share(c), std::string(relation.statement).c_str());
     text += line;
@@ -43,14 +43,15 @@ Json to_json(const FuzzPlan& plan, const std::vector<RelationCount>& counts) {
   return {{"seed", plan.seed}, {"cases", plan.cases}, {"relations", rows}};
 }
 
-/// Both sides of every first witness; replay shows which side is wrong.
+/// All queries of every first witness; replay shows which answer is wrong.
 std::string witnesses(const FuzzPlan& plan, const std::vector<RelationCount>& counts) {
   std::string lines;
   for (const RelationCount& c : counts) {
-    if (!c.witness) continue;
     const std::string id = plan.methods[c.method].name + "-" + std::string(all_relations()[c.relation].name);
-    lines += from_case({.id = id + "-before", .query = c.witness->first}).dump() + "\n";
-    lines += from_case({.id = id + "-after", .query = c.witness->second}).dump() + "\n";
+    int n = 0;
+    for (const Query& query : c.witness) {
+      lines += from_case({.id = id + "-" + std::to_string(++n), .query = query}).dump() + "\n";
+    }
   }
   return lines;
 }

@@ -8,7 +8,7 @@
 namespace tribunal {
 
 /// Runs the plan's cases through all relations, prints a table, writes relations.json and the first witness of each
-/// broken relation (both queries, as cases) to `out` unless it is empty. Returns the exit code.
+/// broken relation (its queries, as cases) to `out` unless it is empty. Returns the exit code.
 int run_relations(const FuzzPlan& plan, const std::string& out);
 
 }  // namespace tribunal

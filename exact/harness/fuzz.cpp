@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "exact/classes/class_table.h"
+#include "exact/harness/fp_environment.h"
 #include "exact/harness/interrupt.h"
 #include "exact/harness/parallel.h"
 #include "exact/harness/progress.h"
@@ -57,10 +58,22 @@ Chunk make_chunk(const FuzzPlan& plan, std::size_t stream, std::uint64_t first_k
   return chunk;
 }
 
+/// A method that leaves its thread in another environment would spoil every answer after its own, oracles included.
+void require_intact_rounding(const Method& method) {
+  if (has_exact_rounding()) return;
+  require_exact_rounding();
+  throw Failure(Exit::fp_environment,
+                method.name + " changed the floating-point environment of its thread (rounding, or flush to zero)");
+}
+
 void ask_all(const Method& method, const Chunk& chunk, std::vector<Answer>& answers) {
   answers.resize(chunk.queries.size());
-  if (method.batch) return method.batch(chunk.queries, answers);
-  std::ranges::transform(chunk.queries, answers.begin(), [&](const Query& query) { return method.ask(query); });
+  if (method.batch) {
+    method.batch(chunk.queries, answers);
+  } else {
+    std::ranges::transform(chunk.queries, answers.begin(), [&](const Query& query) { return method.ask(query); });
+  }
+  require_intact_rounding(method);
 }
 
 /// What a batch form must never do. Checked where it is wrong, and on every sixteenth case.

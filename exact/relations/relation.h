@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -13,15 +14,19 @@
 
 namespace tribunal {
 
-/// `same`: both queries have the same answer. `keeps_hit`: if the first is a hit, so is the second.
-enum class Promise : std::uint8_t { same, keeps_hit };
+/// What a relation says of one query, ready to be held against any method.
+struct Instance {
+  std::vector<Query> queries;  ///< those that the method is asked: the witness, if it does not hold
+  /// Nothing where the method does not take the queries, or the relation says nothing about its answer.
+  std::function<std::optional<bool>(const Method&)> holds;
+};
 
 struct Relation {
   std::string_view name;
   std::string_view statement;
-  Promise promise;
-  /// Another query, or nothing where it cannot be formed exactly in the format.
-  std::optional<Query> (*transform)(const Query& query, Format format, Draw& draw);
+  /// Nothing where the relation does not speak of the query, or its other queries cannot be formed exactly in the
+  /// format.
+  std::optional<Instance> (*of)(const Query& query, Format format, Draw& draw);
 };
 
 /// Adding one is adding a row.
@@ -31,11 +36,11 @@ std::span<const Relation> all_relations();
 struct RelationCount {
   std::size_t method, relation;
   std::uint64_t asked = 0, broken = 0;
-  std::optional<std::pair<Query, Query>> witness{};
+  std::vector<Query> witness{};
 };
 
-/// Every relation on every case of the plan, for every method; one entry for each method × relation. Deterministic
-/// for any number of threads.
+/// Every relation on every case of the plan and on the ray through it (from p in the direction of q − p, as that
+/// rounds), for every method; one entry for each method × relation. Deterministic for any number of threads.
 std::vector<RelationCount> check_relations(const FuzzPlan& plan);
 
 }  // namespace tribunal

@@ -132,6 +132,33 @@ TEST(BoxProbe, NeverLosesANastySegmentThatMeetsTheBox) {
   EXPECT_LT(kept, 100000) << "the test keeps almost everything";
 }
 
+/// The textbook test: multiply by 1/d. In a face of the box 0·∞ is a NaN, which compares false and loses the ray.
+bool textbook_slabs_meet(const Ray& r, const Box& b) {
+  double first = 0, last = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i) {
+    const double inverse = 1 / r.d.v[i];
+    double in = (b.lo[i] - r.o[i]) * inverse, out = (b.hi[i] - r.o[i]) * inverse;
+    if (inverse < 0) std::swap(in, out);
+    if (!(in <= last && first <= out)) return false;
+    first = std::max(first, in);
+    last = std::min(last, out);
+  }
+  return first <= last;
+}
+
+/// A planted bug: the corpus above would not let it pass.
+TEST(BoxProbe, TheCorpusCatchesATextbookSlabTest) {
+  Random random(1);
+  int lost = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Point3 o = nasty_point(random);
+    const Ray ray{o, {nasty_point(random)}};
+    const Box box = nasty_box(random);
+    lost += exact_span(ray, box).meets() && !textbook_slabs_meet(ray, box);
+  }
+  EXPECT_GT(lost, 0);
+}
+
 /// One axis of a ray that reaches `corner` at t exactly, though neither t·d nor the difference corner − o is a binary64
 /// number: t·d has up to 77 bits, and o takes the lowest 24 away.
 struct AimedAxis {

@@ -1,0 +1,129 @@
+// Relations among several queries: exact subdivision, degenerate operands, and answers held against evidence.
+#include "exact/relations/evidence.h"
+#include "exact/relations/rows.h"
+
+namespace tribunal {
+namespace {
+
+/// Whether some query is a hit; nothing if the method refuses one of them.
+std::optional<bool> any_hit(const Method& method, const std::vector<Query>& queries, std::size_t first,
+                            std::size_t last) {
+  bool any = false;
+  for (std::size_t i = first; i < last; ++i) {
+    const Answer answer = method.ask(queries[i]);
+    if (answer.status != Status::ok) return {};
+    any |= answer.hit;
+  }
+  return any;
+}
+
+template <class Holds>
+Instance between(std::vector<Query> one, const std::vector<Query>& other, const Holds& holds) {
+  const std::size_t middle = one.size();
+  one.insert(one.end(), other.begin(), other.end());
+  const auto ask = [queries = one, middle, holds](const Method& method) -> std::optional<bool> {
+    const auto before = any_hit(method, queries, 0, middle), after = any_hit(method, queries, middle, queries.size());
+    if (!before || !after) return {};
+    return holds(*before, *after);
+  };
+  return {std::move(one), ask};
+}
+
+/// The segments from p to m and from m to q cover the segment; so do [o, o + d] and the ray from o + d the ray.
+std::vector<Probe> halves(const Segment& s, Format format) {
+  const Point3 m = exact_midpoint(s.p, s.q);
+  if (!fits(m, format)) return {};
+  return {Segment{s.p, m}, Segment{m, s.q}};
+}
+
+std::vector<Probe> halves(const Ray& r, Format format) {
+  const Point3 m = exact_sum(r.o, r.d.v);
+  if (!fits(m, format)) return {};
+  return {Segment{r.o, m}, Ray{m, r.d}};
+}
+
+/// The triangle with its vertices turned round, so that any edge can be `bc`.
+Triangle turned(const Triangle& t, std::uint64_t by) {
+  if (by == 1) return {t.b, t.c, t.a};
+  if (by == 2) return {t.c, t.a, t.b};
+  return t;
+}
+
+/// What the answer says of the contact, if it says anything, is so.
+bool agrees(const Answer& answer, const CommonPoint& x) {
+  const bool contact = answer.contact == Contact::unsaid || answer.contact == x.contact;
+  return contact && (answer.at == At::unsaid || x.at == At::unsaid || answer.at == x.at);
+}
+
+std::optional<bool> is_evident(const Answer& answer, const std::optional<CommonPoint>& x, const Method& method) {
+  if (answer.status != Status::ok || !answer.hit) return {};
+  return x && counts_as_hit(x->contact, method.convention) && agrees(answer, *x);
+}
+
+}  // namespace
+
+Instance equal(std::vector<Query> one, std::vector<Query> other) {
+  return between(std::move(one), other, [](bool before, bool after) { return before == after; });
+}
+
+Instance implies(std::vector<Query> one, std::vector<Query> other) {
+  return between(std::move(one), other, [](bool before, bool after) { return !before || after; });
+}
+
+std::optional<Instance> probe_in_two(const Query& query, Format format, Draw&) {
+  const std::vector<Probe> parts = std::visit([&](const auto& probe) { return halves(probe, format); }, query.probe);
+  if (parts.empty()) return {};
+  return equal({query}, {{parts[0], query.triangle}, {parts[1], query.triangle}});
+}
+
+std::optional<Instance> triangle_in_two(const Query& query, Format format, Draw& draw) {
+  const Triangle t = turned(query.triangle, draw.below(3));
+  const Point3 m = exact_midpoint(t.b, t.c);
+  if (!fits(m, format)) return {};
+  return equal({query}, {{query.probe, {t.a, t.b, m}}, {query.probe, {t.a, m, t.c}}});
+}
+
+std::optional<Instance> end_as_segment(const Query& query, Format, Draw& draw) {
+  const auto* s = std::get_if<Segment>(&query.probe);
+  if (s == nullptr) return {};
+  const Point3& end = draw.below(2) == 0 ? s->p : s->q;
+  return implies({{Segment{end, end}, query.triangle}}, {query});
+}
+
+std::optional<Instance> edge_as_triangle(const Query& query, Format, Draw& draw) {
+  const Triangle t = turned(query.triangle, draw.below(3));
+  return implies({{query.probe, {t.a, t.b, t.b}}}, {query});
+}
+
+std::optional<Instance> point_as_triangle(const Query& query, Format, Draw& draw) {
+  const auto* s = std::get_if<Segment>(&query.probe);
+  if (s == nullptr) return {};
+  const Point3 x = turned(query.triangle, draw.below(3)).a;
+  return equal({{*s, {x, x, x}}}, {{Segment{x, x}, {s->p, s->q, s->q}}});
+}
+
+std::optional<Instance> segment_as_triangle(const Query& query, Format, Draw& draw) {
+  const auto* s = std::get_if<Segment>(&query.probe);
+  if (s == nullptr) return {};
+  const Triangle t = turned(query.triangle, draw.below(3));
+  return equal({{*s, {t.a, t.b, t.b}}}, {{Segment{t.a, t.b}, {s->p, s->q, s->q}}});
+}
+
+std::optional<Instance> hit_has_point(const Query& query, Format, Draw&) {
+  const auto x = common_point(query);
+  return Instance{{query}, [=](const Method& method) { return is_evident(method.ask(query), x, method); }};
+}
+
+/// A transversal method may also miss what it calls no hit.
+std::optional<Instance> miss_has_plane(const Query& query, Format, Draw&) {
+  const auto x = common_point(query);
+  const bool apart = has_separating_plane(query);
+  const auto holds = [=](const Method& method) -> std::optional<bool> {
+    const Answer answer = method.ask(query);
+    if (answer.status != Status::ok || answer.hit) return {};
+    return apart || (x && !counts_as_hit(x->contact, method.convention));
+  };
+  return Instance{{query}, holds};
+}
+
+}  // namespace tribunal

@@ -1,0 +1,41 @@
+// Known bugs, planted on purpose: methods that promise exact answers and are wrong in one way each. They exist so that
+// the tests can be tested; the released program has none of them.
+#pragma once
+
+#include <vector>
+
+#include "core/method.h"
+
+namespace tribunal::planted {
+
+/// All bugs, "planted-…"; `summary` says what is wrong.
+std::vector<Method> bugs();
+
+/// The same code without the bug, "sound-…": never to be blamed.
+std::vector<Method> sound_twins();
+
+/// Not found by wrong answers: it leaves its worker flushing subnormals to zero, and the harness must notice.
+Method environment_bug();
+
+/// The rows of the table by file.
+std::vector<Method> sign_bugs();
+std::vector<Method> coplanar_bugs();
+std::vector<Method> operand_bugs();
+std::vector<Method> jimenez_bugs();
+std::vector<Method> filter_bugs();
+std::vector<Method> contraction_bugs();
+std::vector<Method> cgal_bugs();
+
+Method sound_jimenez();
+Method sound_filter();
+Method sound_expansion();
+
+using Decision = Answer (*)(const Segment&, const Triangle&);
+
+/// A method that claims to be exact on segments, and takes no rays.
+Method method(const char* name, const char* what, std::function<Answer(const Segment&, const Triangle&)> decide);
+
+/// Segura–Feito on EPICK, where a bug does not matter.
+Answer right(const Segment& s, const Triangle& t);
+
+}  // namespace tribunal::planted
