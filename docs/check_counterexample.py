@@ -1,83 +1,57 @@
 #!/usr/bin/env python3
 """Checks counterexample files with nothing but fractions:  python3 check_counterexample.py counterexamples.jsonl
-
 For each line: the signs and t of "finding.exact" are computed again, whether segment (or ray) and triangle meet is
 decided by Caratheodory's theorem, and the answer blamed is held against it. Exit code 0: everything is confirmed."""
-import itertools
-import json
-import sys
+import itertools, json, sys
 from fractions import Fraction
 
-
-def number(x):
-    return Fraction(float.fromhex(x) if isinstance(x, str) else x)
-
-
-def sub(u, v):
-    return [a - b for a, b in zip(u, v)]
-
-
-def cross(u, v):
-    return [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
-
-
-def det(u, v, w):
-    return sum(a * b for a, b in zip(u, cross(v, w)))
-
-
-def sign(x):
-    return (x > 0) - (x < 0)
-
+def number(x): return Fraction(float.fromhex(x) if isinstance(x, str) else x)
+def sign(x): return (x > 0) - (x < 0)
+def sub(u, v): return [a - b for a, b in zip(u, v)]
+def cross(u, v): return [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
+def det(u, v, w): return sum(a * b for a, b in zip(u, cross(v, w)))
 
 def convex(coefficients, subset, points):
     """A dependency that is a convex combination: no two signs, and a point (not only the direction) takes part."""
     signs = set(map(sign, coefficients)) - {0}
     return len(signs) == 1 and any(c and i < points for c, i in zip(coefficients, subset))
 
+def depends(w, subset, points):
+    """Is 0 a convex combination of these one to four vectors, which depend on each other in one way or do not?"""
+    if len(w) == 1:
+        return subset[0] < points and not any(w[0])
+    if len(w) == 2:
+        return not any(cross(*w)) and any(convex((w[1][k], -w[0][k]), subset, points) for k in range(3))
+    if len(w) == 3:
+        c = [cross(w[1], w[2]), cross(w[2], w[0]), cross(w[0], w[1])]
+        return det(*w) == 0 and any(convex([x[k] for x in c], subset, points) for k in range(3))
+    return convex([(-1) ** k * det(*(w[:k] + w[k + 1:])) for k in range(4)], subset, points)
 
 def meet(generators, points):
     """Is 0 in the hull of the first `points` generators plus the cone of the rest? All subsets of one to four."""
-    for n, subset in ((n, s) for n in (1, 2, 3, 4) for s in itertools.combinations(range(len(generators)), n)):
-        w = [generators[i] for i in subset]
-        if n == 1 and subset[0] < points and not any(w[0]):
-            return True
-        if n == 2 and not any(cross(*w)) and any(convex((w[1][k], -w[0][k]), subset, points) for k in range(3)):
-            return True
-        if n == 3 and det(*w) == 0:
-            c = [cross(w[1], w[2]), cross(w[2], w[0]), cross(w[0], w[1])]
-            if any(convex([x[k] for x in c], subset, points) for k in range(3)):
-                return True
-        if n == 4 and convex([(-1) ** k * det(*(w[:k] + w[k + 1:])) for k in range(4)], subset, points):
-            return True
-    return False
-
+    subsets = (s for n in (1, 2, 3, 4) for s in itertools.combinations(range(len(generators)), n))
+    return any(depends([generators[i] for i in s], s, points) for s in subsets)
 
 def check(case):
     a, b, c = ([number(x) for x in v] for v in case["tri"])
+    p, q = ([number(x) for x in v] for v in (case["seg"] if "seg" in case else (case["ray"]["o"], case["ray"]["d"])))
+    near = det(sub(b, a), sub(c, a), sub(p, a))
     if "seg" in case:
-        p, q = ([number(x) for x in v] for v in case["seg"])
         d, far = sub(q, p), det(sub(b, a), sub(c, a), sub(q, a))
-        near = det(sub(b, a), sub(c, a), sub(p, a))
         slope, hit = near - far, meet([sub(v, s) for s in (p, q) for v in (a, b, c)], 6)
     else:
-        p, d = ([number(x) for x in case["ray"][key]] for key in "od")
-        near, far = det(sub(b, a), sub(c, a), sub(p, a)), det(sub(b, a), sub(c, a), d)
+        d, far = q, det(sub(b, a), sub(c, a), q)
         slope, hit = -far, meet([sub(v, p) for v in (a, b, c)] + [[-x for x in d]], 3)
     edges = [det(d, sub(u, p), sub(v, p)) for u, v in ((a, b), (b, c), (c, a))]
     exact = dict(zip(("abcp", "abcq", "pqab", "pqbc", "pqca"), map(sign, (near, far, *edges))))
     exact |= {"t": str(near / slope)} if slope else {}
-    if "finding" not in case:
-        return False
-    finding = case["finding"]
+    finding = case.get("finding", {"exact": None})
     coplanar = exact["abcp"] == exact["abcq"] == 0
-    due = int(hit and not (coplanar and finding["convention"] == "transversal"))
-    return (exact, int(hit), due) == (finding["exact"], case["expect"], finding["expected"]) and due != finding["answered"]
-
+    due = int(hit and not (coplanar and finding.get("convention") == "transversal"))
+    return finding["exact"] == exact and case["expect"] == hit and finding["expected"] == due != finding["answered"]
 
 if __name__ == "__main__":
-    if len(sys.argv) != 2:
-        sys.exit(__doc__)
-    cases = [json.loads(line) for line in open(sys.argv[1]) if line.strip()]
+    cases = [json.loads(line) for line in open(sys.argv[1])] if len(sys.argv) == 2 else sys.exit(__doc__)
     failed = [case["id"] for case in cases if not check(case)]
     print(f"{len(cases) - len(failed)} of {len(cases)} counterexamples confirmed", *failed, sep="\n  ")
     sys.exit(bool(failed) or not cases)

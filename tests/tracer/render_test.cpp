@@ -2,7 +2,9 @@
 #include "tracer/render.h"
 
 #include <cmath>
+#include <future>
 #include <glm/geometric.hpp>
+#include <thread>
 
 #include "tests/tracer/support.h"
 #include "tracer/compare.h"
@@ -127,6 +129,28 @@ TEST(Render, SameBytesForAnyNumberOfThreads) {
     EXPECT_EQ(one.tally.triangle_tests, many.tally.triangle_tests);
     EXPECT_EQ(one.tally.rays, many.tally.rays);
   }
+}
+
+/// Planted: equal t decided by the thread that asks. Two coincident squares of different colours; the sound method
+/// gives one picture on every thread, the planted one does not, so that pictures of several threads would differ.
+TEST(Render, SeesTiesThatDependOnTheThread) {
+  Scene scene = small_scene();
+  scene.camera = {
+      .eye = {0.1, 0.2, 5}, .look_at = {0, 0, 0}, .up = {0, 1, 0}, .view_height = 2, .width = 8, .height = 8};
+  scene.solids = {square(0, 4, {1, 0, 0}), square(0, 4, {0, 1, 0})};
+  const Method sound = method("sf-epick");
+  Method planted = sound;
+  planted.compare_hits = [sound, first = std::this_thread::get_id()](const Ray& r, const Triangle& s,
+                                                                     const Triangle& t) {
+    const Sign order = sound.compare_hits(r, s, t);
+    return order == Sign::zero && std::this_thread::get_id() != first ? Sign::negative : order;
+  };
+  const auto here = [&](const Method& m) {
+    return render(make_world(scene, Format::binary64, Accel::bvh), m, {1, 1}).image;
+  };
+  const auto elsewhere = [&](const Method& m) { return std::async(std::launch::async, here, m).get(); };
+  EXPECT_TRUE(here(sound) == elsewhere(sound));
+  EXPECT_FALSE(here(planted) == elsewhere(planted));
 }
 
 TEST(Render, SameBytesForEveryAccelerationAndEveryExactMethod) {
