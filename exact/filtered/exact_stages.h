@@ -5,6 +5,7 @@
 
 #include "exact/filtered/default_rounding.h"
 #include "exact/filtered/fixed_integer.h"
+#include "exact/filtered/grid_kernel.h"
 #include "exact/filtered/integer_image.h"
 #include "exact/kernels/rational_kernel.h"
 
@@ -32,7 +33,7 @@ template <std::size_t Factors = 1, class Operands, class Decide>
 auto decide_exactly(const Operands& operands, const Decide& decide)
     -> Staged<decltype(decide(operands, RationalKernel{}))> {
   if (Operands moved = operands; moved.move_to_grid(grid_bits<3>)) {
-    return {decide(moved, IntegerKernel<3 * Factors>{}), Stage::expansion};
+    return {decide(moved, GridKernel{}), Stage::expansion};
   }
   if (Operands moved = operands; moved.move_to_grid(grid_bits<6>)) {
     return {decide(moved, IntegerKernel<6 * Factors>{}), Stage::expansion};
