@@ -20,20 +20,18 @@ namespace tribunal {
 // (4) All functions are pure and safe to call from any number of threads at once.
 // (5) A NaN or an infinity is nowhere: `hits` is false, answers have Status::nonfinite.
 
-/// Whether the probe certainly meets or certainly misses the triangle; nothing where rounding could matter. Rejects
-/// in the cheapest order: both ends on one side of the plane, then the line past the triangle.
+/// Whether the probe certainly meets or certainly misses the triangle; nothing where rounding could matter. Without
+/// branches, so that its time does not depend on the answer.
 template <class N, class P>
 std::optional<bool> filter_hits(const P& probe, const Triangle& t, const FilterConstants<N>& c) {
-  const Arms<N> r = arms_of<N>(probe, t);
-  const Vec3<N> m = largest(r.u, r.v, r.w, r.d);
-  if (!in_range(m, c)) return std::nullopt;
+  const Arms<N> arms = arms_of<N>(probe, t);
+  const Vec3<N> m = largest(arms);
   const N bound = volume_bound(m, c);
-  const Sides<N> sides = sides_of<P>(r);
-  if (on_one_side(sides, bound)) return false;
-  const Edges<N> edges = edges_of(r, sides.toward);
-  if (passes_outside(edges, bound)) return false;
-  if (passes_inside(edges, bound) & on_both_sides(sides, bound)) return true;
-  return std::nullopt;
+  const SharedVolumes<N> v = shared_volumes<P>(arms);
+  const auto miss = certain_miss(v, bound);
+  const auto hit = certain_hit(v, bound);
+  if (!(in_range(m, c) & (miss | hit))) return std::nullopt;
+  return hit;
 }
 
 /// The same answer without the filter: integers of a fixed width where the operands allow, else GMP. Some 100 ns.
