@@ -21,14 +21,10 @@ Answer intersect_exactly(const P& probe, const Triangle& t) {
   return answer;
 }
 
-/// What the filter is certain of is in general position: no volume is zero.
 template <class P>
 Answer staged_intersect(const P& probe, const Triangle& t) {
-  const std::optional<bool> certain = filter_hits(probe, t, shared_volumes_filter);
-  if (!certain) return intersect_exactly(probe, t);
-  Answer answer = *certain ? hit_at(Contact::interior, At::between) : miss();
-  answer.stage = Stage::filter;
-  return answer;
+  const std::optional<bool> hit = filter_hits(probe, t, shared_volumes_filter);
+  return hit ? certain(*hit) : intersect_exactly(probe, t);
 }
 
 }  // namespace
@@ -38,6 +34,9 @@ bool hits_exactly(const Ray& r, const Triangle& t) { return intersect_exactly(r,
 
 Answer intersect(const Segment& s, const Triangle& t) { return staged_intersect(s, t); }
 Answer intersect(const Ray& r, const Triangle& t) { return staged_intersect(r, t); }
+Answer intersect(const Query& query) {
+  return std::visit([&](const auto& probe) { return staged_intersect(probe, query.triangle); }, query.probe);
+}
 
 Answer classify(const Segment& s, const Triangle& t) {
   if (!all_finite(s, t)) return refusal(Status::nonfinite);

@@ -53,6 +53,14 @@ inline bool hits(const Ray& r, const Triangle& t) {
 /// Hit, kind of contact, end of the probe that touches, and the stage that decided.
 Answer intersect(const Segment& s, const Triangle& t);
 Answer intersect(const Ray& r, const Triangle& t);
+Answer intersect(const Query& query);
+
+/// What `intersect` says where the filter is certain: all volumes are nonzero, so the contact is in general position.
+constexpr Answer certain(bool hit) {
+  Answer answer = hit ? hit_at(Contact::interior, At::between) : miss();
+  answer.stage = Stage::filter;
+  return answer;
+}
 
 /// `intersect` with the class of the five points, one of 163 (docs/formats.md). About a microsecond.
 Answer classify(const Segment& s, const Triangle& t);

@@ -1,5 +1,6 @@
 #include "exact/filtered/filtered_method.h"
 
+#include "exact/filtered/batch.h"
 #include "exact/filtered/filtered.h"
 
 namespace tribunal {
@@ -17,7 +18,8 @@ Method sf_filtered() {
           .segment = [](const Segment& s, const Triangle& t) { return intersect(s, t); },
           .ray = [](const Ray& r, const Triangle& t) { return intersect(r, t); },
           .classify = [](const Segment& s, const Triangle& t) { return classify(s, t); },
-          .compare_hits = [](const Ray& r, const Triangle& s, const Triangle& t) { return compare_hits(r, s, t); }};
+          .compare_hits = [](const Ray& r, const Triangle& s, const Triangle& t) { return compare_hits(r, s, t); },
+          .batch = [](std::span<const Query> queries, std::span<Answer> answers) { intersect(queries, answers); }};
 }
 
 }  // namespace tribunal
