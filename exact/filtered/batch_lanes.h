@@ -19,7 +19,8 @@ Arms<Lanes> arms_of_lanes(const Vec3<Lanes>& source, const Vec3<Lanes>& target, 
 }
 
 template <class P, bool one_against_many>
-std::size_t filter_pairs(const double* const* columns, std::size_t n, std::uint8_t* hit, std::uint32_t* undecided) {
+[[gnu::flatten]] std::size_t filter_pairs(const double* const* columns, std::size_t n, std::uint8_t* hit,
+                                          std::uint32_t* undecided) {
   const FilterConstants<Lanes> c{Lanes(shared_volumes_filter.k), Lanes(shared_volumes_filter.tiny),
                                  Lanes(shared_volumes_filter.huge)};
   constexpr std::size_t step = HWY_LANES(double);
@@ -35,12 +36,12 @@ std::size_t filter_pairs(const double* const* columns, std::size_t n, std::uint8
         arms_of_lanes<P>(source, target, {load(columns + 6, i), load(columns + 9, i), load(columns + 12, i)});
     const Vec3<Lanes> m = largest(arms);
     const Lanes bound = volume_bound(m, c);
-    const SharedVolumes<Lanes> v = shared_volumes<P>(arms);
-    const LaneMask safe = in_range(m, c);
-    const LaneMask certainly = certain_hit(v, bound) & safe;
-    store_bytes(certainly.bits(), hit + i);
-    const LaneMask decided = certainly | (certain_miss(v, bound) & safe);
-    for (unsigned rest = all & ~decided.bits(); rest != 0; rest &= rest - 1) {
+    const Lanes margin = margin_of(shared_volumes<P>(arms));
+    const unsigned safe = in_range(m, c).bits();
+    const unsigned certainly = certain_hit(margin, bound).bits() & safe;
+    store_bytes(certainly, hit + i);
+    for (unsigned rest = all & ~(certainly | (certain_miss(margin, bound).bits() & safe)); rest != 0;
+         rest &= rest - 1) {
       undecided[left++] = static_cast<std::uint32_t>(i) + static_cast<std::uint32_t>(std::countr_zero(rest));
     }
   }

@@ -1,6 +1,9 @@
 // The constants of the filters. Proofs: the Gappa scripts in exact/filtered/proofs; derivation: docs/error-bounds.md.
 #pragma once
 
+#include <bit>
+#include <cstdint>
+
 #include "core/vec3.h"
 
 namespace tribunal {
@@ -31,9 +34,16 @@ inline constexpr FilterConstants<double> area_filter{9 * rounding, 0x1p-850, 0x1
 /// n₁·d₂ − n₂·d₁ of hit parameters: the bound is K·(X·Y·Z)² + tiny. Proved: 1248 units.
 inline constexpr FilterConstants<double> order_filter{1250 * rounding, 0x1p-500, 0x1p100};
 
+/// The larger; the second if either is NaN.
 template <class N>
 N larger(const N& a, const N& b) {
   return a > b ? a : b;
+}
+
+/// The smaller; the second if either is NaN.
+template <class N>
+N smaller(const N& a, const N& b) {
+  return a < b ? a : b;
 }
 
 template <class N>
@@ -47,19 +57,33 @@ inline double magnitude(const double& x) {
 }
 
 template <class N>
-Vec3<N> magnitudes(const Vec3<N>& v) {
-  return {magnitude(v.x), magnitude(v.y), magnitude(v.z)};
+N larger_magnitude(const N& a, const N& b) {
+  return larger(magnitude(a), magnitude(b));
 }
 
-/// The largest magnitude on each axis. A NaN may go unseen: volumes that depend on it are NaN too.
+/// x if sign ≥ 0, else −x.
+template <class N>
+N turned(const N& x, const N& sign) {
+  return sign < 0 ? N(-x) : x;
+}
+
+/// By the bits: no branch, and −0 counts as negative.
+template <>
+inline double turned(const double& x, const double& sign) {
+  constexpr std::uint64_t sign_bit = std::uint64_t{1} << 63;
+  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) ^ (std::bit_cast<std::uint64_t>(sign) & sign_bit));
+}
+
+/// The largest magnitude on each axis of two or more vectors. A NaN may go unseen: volumes that depend on it are NaN
+/// too.
+template <class N>
+Vec3<N> largest(const Vec3<N>& a, const Vec3<N>& b) {
+  return {larger_magnitude(a.x, b.x), larger_magnitude(a.y, b.y), larger_magnitude(a.z, b.z)};
+}
+
 template <class N, class... V>
-Vec3<N> largest(const Vec3<N>& v, const V&... rest) {
-  if constexpr (sizeof...(rest) == 0) {
-    return magnitudes(v);
-  } else {
-    const Vec3<N> m = magnitudes(v), n = largest(rest...);
-    return {larger(m.x, n.x), larger(m.y, n.y), larger(m.z, n.z)};
-  }
+Vec3<N> largest(const Vec3<N>& a, const Vec3<N>& b, const V&... rest) {
+  return largest(a, largest(b, rest...));
 }
 
 /// Whether no intermediate result overflows.

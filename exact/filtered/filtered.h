@@ -23,14 +23,13 @@ namespace tribunal {
 /// Whether the probe certainly meets or certainly misses the triangle; nothing where rounding could matter. Without
 /// branches, so that its time does not depend on the answer.
 template <class N, class P>
-std::optional<bool> filter_hits(const P& probe, const Triangle& t, const FilterConstants<N>& c) {
+[[gnu::flatten]] std::optional<bool> filter_hits(const P& probe, const Triangle& t, const FilterConstants<N>& c) {
   const Arms<N> arms = arms_of<N>(probe, t);
   const Vec3<N> m = largest(arms);
   const N bound = volume_bound(m, c);
-  const SharedVolumes<N> v = shared_volumes<P>(arms);
-  const auto miss = certain_miss(v, bound);
-  const auto hit = certain_hit(v, bound);
-  if (!(in_range(m, c) & (miss | hit))) return std::nullopt;
+  const N margin = margin_of(shared_volumes<P>(arms));
+  const bool hit = certain_hit(margin, bound);
+  if (!(in_range(m, c) & (hit | certain_miss(margin, bound)))) return std::nullopt;
   return hit;
 }
 

@@ -60,7 +60,17 @@ struct Lanes {
   friend Lanes operator/(const Lanes& a, const Lanes& b) { return hn::Div(a.v, b.v); }
 
   friend Lanes larger(const Lanes& a, const Lanes& b) { return hn::Max(a.v, b.v); }
+  friend Lanes smaller(const Lanes& a, const Lanes& b) { return hn::Min(a.v, b.v); }
   friend Lanes magnitude(const Lanes& a) { return hn::Abs(a.v); }
+  friend Lanes turned(const Lanes& x, const Lanes& sign) { return hn::Xor(x.v, hn::And(sign.v, hn::SignBit(tag))); }
+
+#if HWY_TARGET <= HWY_AVX3
+  /// One instruction: the operand of larger magnitude, with its sign cleared.
+  friend Lanes larger_magnitude(const Lanes& a, const Lanes& b) {
+    constexpr int larger_without_sign = 0b1011;
+    return Vector{_mm512_range_pd(a.v.raw, b.v.raw, larger_without_sign)};
+  }
+#endif
 };
 
 inline Lanes operator+(const LaneProduct& p, const Lanes& a) { return hn::MulAdd(p.a, p.b, a.v); }

@@ -44,16 +44,17 @@ Arms<N> arms_of(const Ray& r, const Triangle& t) {
   return ray_arms<N>(lift<N>(r.o), lift<N>(r.d.v), {lift<N>(t.a), lift<N>(t.b), lift<N>(t.c)});
 }
 
-/// orient3d(a, b, c, source) and orient3d(a, b, c, target).
+/// orient3d(a, b, c, source) and orient3d(a, b, c, target), and what a point gains on the plane along d.
 template <class N>
 struct Sides {
-  N source, target;
+  N source, target, toward;
 };
 
-/// orient3d(source, a, b, target) and so on around the triangle.
+/// orient3d(source, a, b, target), orient3d(source, b, c, target), orient3d(source, a, c, target). Around the triangle
+/// the third would be ca = −ac: ab + bc − ac = toward.
 template <class N>
 struct Edges {
-  N ab, bc, ca;
+  N ab, bc, ac;
 };
 
 template <class N>
@@ -67,7 +68,7 @@ struct SharedVolumes {
 /// (u | w) × (v | d) is the plane's normal and the line's moment. The normal tells the sides: source = normal·w, and
 /// `toward` = normal·d is what a point gains along d; for a target at infinity it is the side. The moment tells the
 /// edges: det(a−p, b−p, d) = det(u, w, d), since adding one column to another changes nothing; so ab = u·moment and
-/// ca = −v·moment. The three edges add up to `toward`, so the third costs two subtractions.
+/// ac = v·moment. ab + bc − ac = toward, so the third costs two additions.
 template <class P, class N>
 SharedVolumes<N> shared_volumes(const Arms<N>& r) {
   const Vec3<Twin<N>> normal_moment = cross(r.uw, r.vd);
@@ -77,45 +78,48 @@ SharedVolumes<N> shared_volumes(const Arms<N>& r) {
   const N bc = toward - ab + ac;
   if constexpr (std::is_same_v<P, Segment>) {
     const N target = source + toward;
-    return {{source, target}, {ab, bc, -ac}};
+    return {{source, target, toward}, {ab, bc, ac}};
   } else {
-    return {{source, toward}, {ab, bc, -ac}};
+    return {{source, toward, toward}, {ab, bc, ac}};
   }
 }
 
 /// The largest magnitude on each axis of all arms. A NaN may go unseen: volumes that depend on it are NaN too.
 template <class N>
 Vec3<N> largest(const Arms<N>& r) {
-  const Vec3<Twin<N>> m = largest(r.uw, r.vd);
-  return {larger(first(m.x), second(m.x)), larger(first(m.y), second(m.y)), larger(first(m.z), second(m.z))};
+  const auto over_lanes = [](const Twin<N>& m) { return larger(first(m), second(m)); };
+  return {over_lanes(larger_magnitude(r.uw.x, r.vd.x)), over_lanes(larger_magnitude(r.uw.y, r.vd.y)),
+          over_lanes(larger_magnitude(r.uw.z, r.vd.z))};
 }
 
-// What is certain where every volume is known up to ±bound. A NaN compares false, so it makes nothing certain. The
-// operators & and | serve truth values and masks of vector lanes.
-
-/// Both ends lie off the plane on one side, or the line passes one edge on its left and another on its right.
+/// How far the volumes are from saying another thing: positive where they say hit, negative where they say miss.
+///
+/// With the signs of all turned so that `toward` ≥ 0, a probe that crosses the triangle runs from below the plane to
+/// above it and passes the edges ab, bc, ca on its left: so −source, target, ab, bc and −ac are all positive, and the
+/// margin is the least of them.
+/// bc comes last: a NaN in any coordinate makes it NaN, and `smaller` then returns its second operand.
 template <class N>
-auto certain_miss(const SharedVolumes<N>& v, const N& bound) {
+N margin_of(const SharedVolumes<N>& v) {
   const auto& [s, e] = v;
-  const N below = -bound;
-  const auto above_plane = (s.source > bound) & (s.target > bound);
-  const auto below_plane = (s.source < below) & (s.target < below);
-  const auto left = (e.ab > bound) | (e.bc > bound) | (e.ca > bound);
-  const auto right = (e.ab < below) | (e.bc < below) | (e.ca < below);
-  return above_plane | below_plane | (left & right);
+  const N backward = -s.toward;
+  const N sides = smaller(turned(s.source, backward), turned(s.target, s.toward));
+  const N edges = smaller(turned(e.ab, s.toward), turned(e.ac, backward));
+  return smaller(smaller(sides, edges), turned(e.bc, s.toward));
 }
 
-/// The ends lie on either side of the plane, and the line passes all edges on one side. On which makes no difference:
-/// the edges add up to `toward`, which has the sign of the target's side.
+/// A certain hit. Every volume is known up to ±bound, so all of them have the signs that they show; and the sign of
+/// the edges is that of their sum, `toward`, whatever its computed sign.
 template <class N>
-auto certain_hit(const SharedVolumes<N>& v, const N& bound) {
-  const auto& [s, e] = v;
-  const N below = -bound;
-  const auto upward = (s.source < below) & (s.target > bound);
-  const auto downward = (s.source > bound) & (s.target < below);
-  const auto left = (e.ab > bound) & (e.bc > bound) & (e.ca > bound);
-  const auto right = (e.ab < below) & (e.bc < below) & (e.ca < below);
-  return (upward | downward) & (left | right);
+auto certain_hit(const N& margin, const N& bound) {
+  return margin > bound;
+}
+
+/// A certain miss. Where one of −source and target is below −3·bound, both ends lie off the plane on one side for
+/// certain, since they add up to `toward` ≥ 0. Where an edge is, another is above bound: the line certainly passes one
+/// on its left and one on its right. Rounding changes those sums by less than bound/2: docs/error-bounds.md.
+template <class N>
+auto certain_miss(const N& margin, const N& bound) {
+  return margin < bound * N(-3.0);
 }
 
 }  // namespace tribunal

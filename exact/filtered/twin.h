@@ -32,13 +32,8 @@ Twin<N> swapped(const Twin<N>& a) {
 }
 
 template <class N>
-Twin<N> larger(const Twin<N>& a, const Twin<N>& b) {
-  return {larger(a.first, b.first), larger(a.second, b.second)};
-}
-
-template <class N>
-Twin<N> magnitude(const Twin<N>& a) {
-  return {magnitude(a.first), magnitude(a.second)};
+Twin<N> larger_magnitude(const Twin<N>& a, const Twin<N>& b) {
+  return {larger_magnitude(a.first, b.first), larger_magnitude(a.second, b.second)};
 }
 
 template <class N>
@@ -66,15 +61,19 @@ struct Twin<double> {
   friend Twin operator-(const Twin& a, const Twin& b) { return Twin(a.lanes - b.lanes); }
   friend Twin operator*(const Twin& a, const Twin& b) { return Twin(a.lanes * b.lanes); }
   friend Twin swapped(const Twin& a) { return {a.lanes[1], a.lanes[0]}; }
-  friend Twin larger(const Twin& a, const Twin& b) { return Twin(a.lanes > b.lanes ? a.lanes : b.lanes); }
-  friend Twin magnitude(const Twin& a) {
-    constexpr Bits all_but_sign = {INT64_MAX, INT64_MAX};
-    return Twin(reinterpret_cast<Lanes>(reinterpret_cast<Bits>(a.lanes) & all_but_sign));
+  friend Twin larger_magnitude(const Twin& a, const Twin& b) {
+    const Lanes x = magnitude(a.lanes), y = magnitude(b.lanes);
+    return Twin(x > y ? x : y);
   }
   friend double first(const Twin& a) { return a.lanes[0]; }
   friend double second(const Twin& a) { return a.lanes[1]; }
 
  private:
+  static Lanes magnitude(Lanes x) {
+    constexpr Bits all_but_sign = {INT64_MAX, INT64_MAX};
+    return reinterpret_cast<Lanes>(reinterpret_cast<Bits>(x) & all_but_sign);
+  }
+
   Lanes lanes;
 };
 

@@ -21,7 +21,7 @@ inline LaneMask meets(const Vec3<Lanes>& p, const Vec3<Lanes>& d, const Vec3<Lan
 }
 
 template <bool one_against_many>
-void moeller_trumbore_columns(const double* const* columns, std::size_t n, std::uint8_t* hit) {
+[[gnu::flatten]] void moeller_trumbore_columns(const double* const* columns, std::size_t n, std::uint8_t* hit) {
   Vec3<Lanes> p = broadcast(columns), d = broadcast(columns + 3) - p;
   for (std::size_t i = 0; i < n; i += HWY_LANES(double)) {
     if constexpr (!one_against_many) {

@@ -41,7 +41,7 @@ bool is_regular(const ClassRow& row) { return row.triangle == "tri" && row.segme
 bool has_zero_volume(const ClassRow& row) {
   const auto [sides, edges] =
       shared_volumes<Segment>(arms_of<double>(row.representative_segment(), row.representative_triangle()));
-  return sides.source * sides.target * edges.ab * edges.bc * edges.ca == 0;
+  return sides.source * sides.target * edges.ab * edges.bc * edges.ac == 0;
 }
 
 std::vector<ClassId> degenerate_classes() {

@@ -44,8 +44,9 @@ void time_single(const std::string& method, const std::string& population, const
 
 /// All pairs in one call.
 void time_batch(const std::string& method, const std::string& population, const PairTable& table,
-                const std::function<void(std::uint8_t*)>& test) {
-  benchmark::RegisterBenchmark(named(method, population).c_str(), [&table, test](benchmark::State& state) {
+                const std::string& target, const std::function<void(std::uint8_t*)>& test) {
+  benchmark::RegisterBenchmark(named(method, population).c_str(), [&table, target, test](benchmark::State& state) {
+    force_batch_target(target);
     std::vector<std::uint8_t> hit(table.size());
     for (auto _ : state) {
       test(hit.data());
@@ -76,10 +77,9 @@ void time_batches(const std::string& population, const PairTable& table, bool on
   for (const VectorPeer* peer : {&moeller_trumbore_avx512, &moeller_trumbore_avx2, &moeller_trumbore_portable}) {
     if (!runs_here(*peer)) continue;
     const VectorTest test = one_against_many ? peer->one : peer->pairs;
-    time_batch("simd_mt" + suffix, population, table,
+    time_batch("simd_mt" + suffix, population, table, peer->name,
                [&table, test](std::uint8_t* hit) { test(table.columns().data(), table.size(), hit); });
-    time_batch("batch" + suffix, population, table, [&table, peer, one_against_many](std::uint8_t* hit) {
-      force_batch_target(peer->name);
+    time_batch("batch" + suffix, population, table, peer->name, [&table, one_against_many](std::uint8_t* hit) {
       const std::span<std::uint8_t> out(hit, table.size());
       if (one_against_many) {
         hits(table.pairs()[0].segment, table.triangles(), out);
@@ -128,8 +128,7 @@ void register_all() {
     const PairTable& table = kept(pairs);
     time_our_single(population, table);
     time_scalar_mt(population, table);
-    time_batch("batch", population, table, [&table](std::uint8_t* hit) {
-      force_batch_target("");
+    time_batch("batch", population, table, "", [&table](std::uint8_t* hit) {
       hits(table.segments(), table.triangles(), {hit, table.size()});
     });
     time_exact_peers(population, table);
