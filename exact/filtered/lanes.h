@@ -59,8 +59,14 @@ struct Lanes {
   friend LaneMask operator<=(const Lanes& a, const Lanes& b) { return {hn::Le(a.v, b.v)}; }
   friend Lanes operator/(const Lanes& a, const Lanes& b) { return hn::Div(a.v, b.v); }
 
+  // The second operand if either is NaN: x86's own instructions do that, Highway's scalar functions do not.
+#if HWY_TARGET == HWY_SCALAR
+  friend Lanes larger(const Lanes& a, const Lanes& b) { return Vector(a.v.raw > b.v.raw ? a.v.raw : b.v.raw); }
+  friend Lanes smaller(const Lanes& a, const Lanes& b) { return Vector(a.v.raw < b.v.raw ? a.v.raw : b.v.raw); }
+#else
   friend Lanes larger(const Lanes& a, const Lanes& b) { return hn::Max(a.v, b.v); }
   friend Lanes smaller(const Lanes& a, const Lanes& b) { return hn::Min(a.v, b.v); }
+#endif
   friend Lanes magnitude(const Lanes& a) { return hn::Abs(a.v); }
   friend Lanes turned(const Lanes& x, const Lanes& sign) { return hn::Xor(x.v, hn::And(sign.v, hn::SignBit(tag))); }
 

@@ -1,5 +1,5 @@
 // Compiled for no vector instructions in particular.
-#define HWY_COMPILE_ONLY_EMU128
+#define HWY_COMPILE_ONLY_SCALAR
 #include "tests/bench/moeller_trumbore_lanes.h"
 
 namespace tribunal::bench {

@@ -153,6 +153,45 @@ TEST_P(Batch, HandlesEveryLength) {
   }
 }
 
+/// A NaN or an infinity in any coordinate of any vertex, in any lane, next to sound pairs that hit.
+TEST_P(Batch, SaysNothingOfNonFiniteOperands) {
+  const double bad[] = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()};
+  const Query sound{Segment{{1, 1, -1}, {1, 1, 1}}, {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}};
+  for (int spoilt = 0; spoilt < 2 * 15 * 2; ++spoilt) {
+    const auto spoil = [&](Point3(&v)[5]) { v[spoilt / 2 % 5][spoilt / 10 % 3] = bad[spoilt / 30]; };
+    std::vector<Query> queries(24, sound);
+    for (std::size_t i = 0; i < queries.size(); i += 3) {
+      Point3 v[5] = {{1, 1, -1}, {1, 1, 1}, {0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
+      spoil(v);
+      const Triangle t{v[2], v[3], v[4]};
+      if (spoilt % 2 == 0) {
+        queries[i] = {Segment{v[0], v[1]}, t};
+      } else {
+        queries[i] = {Ray{v[0], {v[1]}}, t};
+      }
+    }
+    std::vector<Answer> answers(queries.size());
+    intersect(queries, answers);
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+      ASSERT_EQ(answers[i], i % 3 == 0 ? refusal(Status::nonfinite) : certain(true)) << spoilt << " " << i;
+    }
+  }
+}
+
+/// The rounding mode and flush-to-zero of the caller make no difference: all bits of MXCSR that could.
+TEST_P(Batch, ForeignEnvironmentsChangeNoAnswer) {
+  const Corpus& c = corpus();
+  std::vector<std::uint8_t> expected(c.segments.size()), hit(c.segments.size());
+  hits(SegmentColumns{c.p.columns(), c.q.columns()}, c.triangles(), expected);
+  for (const unsigned bits : {0x2000U, 0x4000U, 0x6000U, 0x8040U, 0xe040U}) {
+    const unsigned own = __builtin_ia32_stmxcsr();
+    __builtin_ia32_ldmxcsr((own & ~0xe040U) | bits);
+    hits(SegmentColumns{c.p.columns(), c.q.columns()}, c.triangles(), hit);
+    __builtin_ia32_ldmxcsr(own);
+    ASSERT_EQ(hit, expected) << std::hex << bits;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Targets, Batch, testing::Values("AVX-512", "AVX2", "portable"), [](const auto& tested) {
   std::string name = tested.param;
   name.erase(std::remove(name.begin(), name.end(), '-'), name.end());
@@ -164,16 +203,6 @@ TEST(BatchLaws, RefusesColumnsOfDifferentLengths) {
   std::vector<std::uint8_t> hit(c.segments.size() - 1);
   EXPECT_THROW(hits(Segment{}, c.triangles(), hit), std::invalid_argument);
   EXPECT_THROW(force_batch_target("abacus"), std::invalid_argument);
-}
-
-TEST(BatchLaws, SaysNothingOfNonFiniteOperands) {
-  const double bad[] = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()};
-  for (const double x : bad) {
-    const std::vector<Query> queries(9, Query{Segment{{x, 0, 0}, {1, 1, 1}}, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}});
-    std::vector<Answer> answers(9);
-    intersect(queries, answers);
-    for (const Answer& a : answers) EXPECT_EQ(a, refusal(Status::nonfinite));
-  }
 }
 
 }  // namespace
