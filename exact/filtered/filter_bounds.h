@@ -1,9 +1,6 @@
 // The constants of the filters. Proofs: the Gappa scripts in exact/filtered/proofs; derivation: docs/error-bounds.md.
 #pragma once
 
-#include <bit>
-#include <cstdint>
-
 #include "core/vec3.h"
 
 namespace tribunal {
@@ -61,17 +58,15 @@ N larger_magnitude(const N& a, const N& b) {
   return larger(magnitude(a), magnitude(b));
 }
 
-/// x if sign ≥ 0, else −x.
+/// 1 or −1.
 template <class N>
-N turned(const N& x, const N& sign) {
-  return sign < 0 ? N(-x) : x;
+N unit_with_sign_of(const N& x) {
+  return x < 0 ? N(-1.0) : N(1.0);
 }
 
-/// By the bits: no branch, and −0 counts as negative.
 template <>
-inline double turned(const double& x, const double& sign) {
-  constexpr std::uint64_t sign_bit = std::uint64_t{1} << 63;
-  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) ^ (std::bit_cast<std::uint64_t>(sign) & sign_bit));
+inline double unit_with_sign_of(const double& x) {
+  return __builtin_copysign(1.0, x);
 }
 
 /// The largest magnitude on each axis of two or more vectors. A NaN may go unseen: volumes that depend on it are NaN

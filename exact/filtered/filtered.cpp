@@ -12,7 +12,7 @@ bool all_finite(const Segment& s, const Triangle& t) { return is_finite(s) && is
 bool all_finite(const Ray& r, const Triangle& t) { return is_finite(r) && is_finite(t); }
 
 template <class P>
-Answer intersect_exactly(const P& probe, const Triangle& t) {
+[[gnu::noinline]] Answer intersect_exactly(const P& probe, const Triangle& t) {
   if (!all_finite(probe, t)) return refusal(Status::nonfinite);
   const auto decided = decide_exactly(
       Pair<P>{probe, t}, [](const auto& o, const auto& k) { return segura_feito(o.probe, o.triangle, k); });
@@ -22,7 +22,7 @@ Answer intersect_exactly(const P& probe, const Triangle& t) {
 }
 
 template <class P>
-Answer staged_intersect(const P& probe, const Triangle& t) {
+[[gnu::flatten]] Answer staged_intersect(const P& probe, const Triangle& t) {
   const std::optional<bool> hit = filter_hits(probe, t, shared_volumes_filter);
   return hit ? certain(*hit) : intersect_exactly(probe, t);
 }

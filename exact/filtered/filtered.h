@@ -38,13 +38,13 @@ bool hits_exactly(const Segment& s, const Triangle& t);
 bool hits_exactly(const Ray& r, const Triangle& t);
 
 /// Whether the closed segment and the closed triangle have a point in common. On the order of 10 ns.
-inline bool hits(const Segment& s, const Triangle& t) {
+[[gnu::flatten]] inline bool hits(const Segment& s, const Triangle& t) {
   if (const std::optional<bool> certain = filter_hits(s, t, shared_volumes_filter)) return *certain;
   return hits_exactly(s, t);
 }
 
 /// Whether the ray {o + λ·d, λ ≥ 0} and the closed triangle have a point in common.
-inline bool hits(const Ray& r, const Triangle& t) {
+[[gnu::flatten]] inline bool hits(const Ray& r, const Triangle& t) {
   if (const std::optional<bool> certain = filter_hits(r, t, shared_volumes_filter)) return *certain;
   return hits_exactly(r, t);
 }

@@ -68,7 +68,7 @@ struct Lanes {
   friend Lanes smaller(const Lanes& a, const Lanes& b) { return hn::Min(a.v, b.v); }
 #endif
   friend Lanes magnitude(const Lanes& a) { return hn::Abs(a.v); }
-  friend Lanes turned(const Lanes& x, const Lanes& sign) { return hn::Xor(x.v, hn::And(sign.v, hn::SignBit(tag))); }
+  friend Lanes unit_with_sign_of(const Lanes& a) { return hn::CopySign(hn::Set(tag, 1.0), a.v); }
 
 #if HWY_TARGET <= HWY_AVX3
   /// One instruction: the operand of larger magnitude, with its sign cleared.

@@ -101,10 +101,10 @@ Vec3<N> largest(const Arms<N>& r) {
 template <class N>
 N margin_of(const SharedVolumes<N>& v) {
   const auto& [s, e] = v;
-  const N backward = -s.toward;
-  const N sides = smaller(turned(s.source, backward), turned(s.target, s.toward));
-  const N edges = smaller(turned(e.ab, s.toward), turned(e.ac, backward));
-  return smaller(smaller(sides, edges), turned(e.bc, s.toward));
+  const N forward = unit_with_sign_of(s.toward), backward = -forward;
+  const N sides = smaller(N(s.source * backward), N(s.target * forward));
+  const N edges = smaller(N(e.ab * forward), N(e.ac * backward));
+  return smaller(smaller(sides, edges), N(e.bc * forward));
 }
 
 /// A certain hit. Every volume is known up to ±bound, so all of them have the signs that they show; and the sign of
