@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/rivals.h"
+#include "exact/filtered/filtered_method.h"
 #include "exact/io/failure.h"
 #include "exact/kernels/exact_methods.h"
 #include "exact/kernels/naive.h"
@@ -15,9 +16,17 @@ namespace {
 /// A deque: a row keeps its address when others are added.
 std::deque<Method>& table() {
   static std::deque<Method> rows = {
-      sf_float(),   sf_double(),   sf_double_eps(),          sf_epick(),
-      sf_epeck(),   sf_rational(), moeller_trumbore_float(), moeller_trumbore_double(),
-      cgal_epick(), cgal_epeck(),
+      sf_float(),
+      sf_double(),
+      sf_double_eps(),
+      sf_filtered(),
+      sf_epick(),
+      sf_epeck(),
+      sf_rational(),
+      moeller_trumbore_float(),
+      moeller_trumbore_double(),
+      cgal_epick(),
+      cgal_epeck(),
   };
   return rows;
 }

@@ -8,6 +8,7 @@
 #include "core/kernel.h"
 #include "core/tolerance_kernel.h"
 #include "exact/families/draw.h"
+#include "exact/filtered/filtered_kernel.h"
 #include "exact/kernels/cgal_kernels.h"
 #include "exact/kernels/rational_kernel.h"
 
@@ -43,9 +44,9 @@ class Corpus {
 
 Point3 scaled(const Point3& p, int e) { return {std::ldexp(p.x, e), std::ldexp(p.y, e), std::ldexp(p.z, e)}; }
 
-using AllKernels = testing::Types<FormulaKernel<float>, FormulaKernel<double>, ToleranceKernel, EpickKernel,
-                                  EpeckKernel, RationalKernel, FormulaKernel<mpq_class>>;
-using ExactKernels = testing::Types<EpickKernel, EpeckKernel, RationalKernel, FormulaKernel<mpq_class>>;
+using AllKernels = testing::Types<FormulaKernel<float>, FormulaKernel<double>, ToleranceKernel, FilteredKernel,
+                                  EpickKernel, EpeckKernel, RationalKernel, FormulaKernel<mpq_class>>;
+using ExactKernels = testing::Types<FilteredKernel, EpickKernel, EpeckKernel, RationalKernel, FormulaKernel<mpq_class>>;
 
 template <class K>
 class KernelLaws : public testing::Test {};

@@ -1,0 +1,12 @@
+// Compiled for AVX2 with FMA.
+#define HWY_COMPILE_ONLY_STATIC
+#include "exact/filtered/batch_lanes.h"
+
+static_assert(HWY_TARGET == HWY_AVX2);
+
+namespace tribunal {
+
+const BatchTarget batch_avx2 =
+    HWY_NAMESPACE::target_named("AVX2", [] { return (hwy::SupportedTargets() & HWY_AVX2) != 0; });
+
+}  // namespace tribunal

@@ -1,0 +1,27 @@
+// What one instruction set offers to the batch. Each batch_*.cpp is compiled for its own; batch.cpp chooses one.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace tribunal {
+
+/// Filters the first n pairs. `columns` are the coordinates of source, target, a, b, c: x, y, z each; those of the
+/// probe are read at 0 only where it is one against many. hit[i] is 1 for a certain hit, else 0. The indices of
+/// undecided pairs go to `undecided`, which has room for n; their number is returned. n must be a multiple of `lanes`.
+using FilterPairs = std::size_t (*)(const double* const* columns, std::size_t n, std::uint8_t* hit,
+                                    std::uint32_t* undecided);
+
+struct BatchTarget {
+  const char* name;
+  bool (*runs_here)();
+  std::size_t lanes;
+  FilterPairs one_segment, one_ray, segments, rays;
+};
+
+extern const BatchTarget batch_avx512, batch_avx2, batch_portable;
+
+/// The one in use.
+const BatchTarget& batch_target();
+
+}  // namespace tribunal

@@ -1,0 +1,51 @@
+#include "exact/filtered/filtered.h"
+
+#include "core/segura_feito.h"
+#include "exact/filtered/exact_stages.h"
+#include "exact/filtered/filtered_kernel.h"
+#include "exact/kernels/segura_feito_method.h"
+
+namespace tribunal {
+namespace {
+
+bool all_finite(const Segment& s, const Triangle& t) { return is_finite(s) && is_finite(t); }
+bool all_finite(const Ray& r, const Triangle& t) { return is_finite(r) && is_finite(t); }
+
+template <class P>
+[[gnu::noinline]] Answer intersect_exactly(const P& probe, const Triangle& t) {
+  if (!all_finite(probe, t)) return refusal(Status::nonfinite);
+  const auto decided = decide_exactly(
+      Pair<P>{probe, t}, [](const auto& o, const auto& k) { return segura_feito(o.probe, o.triangle, k); });
+  Answer answer = decided.result;
+  answer.stage = decided.stage;
+  return answer;
+}
+
+template <class P>
+[[gnu::flatten]] Answer staged_intersect(const P& probe, const Triangle& t) {
+  const std::optional<bool> hit = filter_hits(probe, t, shared_volumes_filter);
+  return hit ? certain(*hit) : intersect_exactly(probe, t);
+}
+
+}  // namespace
+
+bool hits_exactly(const Segment& s, const Triangle& t) { return intersect_exactly(s, t).hit; }
+bool hits_exactly(const Ray& r, const Triangle& t) { return intersect_exactly(r, t).hit; }
+
+Answer intersect(const Segment& s, const Triangle& t) { return staged_intersect(s, t); }
+Answer intersect(const Ray& r, const Triangle& t) { return staged_intersect(r, t); }
+Answer intersect(const Query& query) {
+  return std::visit([&](const auto& probe) { return staged_intersect(probe, query.triangle); }, query.probe);
+}
+
+Answer classify(const Segment& s, const Triangle& t) {
+  if (!all_finite(s, t)) return refusal(Status::nonfinite);
+  Tally tally;
+  Answer answer = classify(s, t, FilteredKernel(&tally));
+  answer.stage = tally.deepest();
+  return answer;
+}
+
+Sign compare_hits(const Ray& r, const Triangle& s, const Triangle& t) { return FilteredKernel().compare_hits(r, s, t); }
+
+}  // namespace tribunal

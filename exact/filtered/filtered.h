@@ -1,0 +1,71 @@
+// The certified test: is it a hit? Exact for every finite input, at nearly the price of an uncertified test.
+// Needs the standard library and GLM, no CGAL and no GMP. A page of examples: docs/using-the-library.md.
+#pragma once
+
+#include <optional>
+
+#include "core/answer.h"
+#include "core/query.h"
+#include "core/sign.h"
+#include "exact/filtered/filter_bounds.h"
+#include "exact/filtered/shared_volumes.h"
+
+namespace tribunal {
+
+// Laws of everything below.
+// (1) Operands are closed point sets with binary64 coordinates, taken as the exact numbers they are. Degenerate
+//     operands, subnormals and ±DBL_MAX included: triangles may be segments or points, segments and rays points.
+// (2) The answer is that of sf-rational: exact, always.
+// (3) Neither the rounding mode nor flush-to-zero of the calling thread changes an answer.
+// (4) All functions are pure and safe to call from any number of threads at once.
+// (5) A NaN or an infinity is nowhere: `hits` is false, answers have Status::nonfinite.
+
+/// Whether the probe certainly meets or certainly misses the triangle; nothing where rounding could matter. Without
+/// branches, so that its time does not depend on the answer.
+template <class N, class P>
+[[gnu::flatten]] std::optional<bool> filter_hits(const P& probe, const Triangle& t, const FilterConstants<N>& c) {
+  const Arms<N> arms = arms_of<N>(probe, t);
+  const Vec3<N> m = largest(arms);
+  const N bound = volume_bound(m, c);
+  const N margin = margin_of(shared_volumes<P>(arms));
+  const bool hit = certain_hit(margin, bound);
+  if (!(in_range(m, c) & (hit | certain_miss(margin, bound)))) return std::nullopt;
+  return hit;
+}
+
+/// The same answer without the filter: integers of a fixed width where the operands allow, else GMP. Some 100 ns.
+bool hits_exactly(const Segment& s, const Triangle& t);
+bool hits_exactly(const Ray& r, const Triangle& t);
+
+/// Whether the closed segment and the closed triangle have a point in common. On the order of 10 ns.
+[[gnu::flatten]] inline bool hits(const Segment& s, const Triangle& t) {
+  if (const std::optional<bool> certain = filter_hits(s, t, shared_volumes_filter)) return *certain;
+  return hits_exactly(s, t);
+}
+
+/// Whether the ray {o + λ·d, λ ≥ 0} and the closed triangle have a point in common.
+[[gnu::flatten]] inline bool hits(const Ray& r, const Triangle& t) {
+  if (const std::optional<bool> certain = filter_hits(r, t, shared_volumes_filter)) return *certain;
+  return hits_exactly(r, t);
+}
+
+/// Hit, kind of contact, end of the probe that touches, and the stage that decided.
+Answer intersect(const Segment& s, const Triangle& t);
+Answer intersect(const Ray& r, const Triangle& t);
+Answer intersect(const Query& query);
+
+/// What `intersect` says where the filter is certain: all volumes are nonzero, so the contact is in general position.
+constexpr Answer certain(bool hit) {
+  Answer answer = hit ? hit_at(Contact::interior, At::between) : miss();
+  answer.stage = Stage::filter;
+  return answer;
+}
+
+/// `intersect` with the class of the five points, one of 163 (docs/formats.md). About a microsecond.
+Answer classify(const Segment& s, const Triangle& t);
+
+/// Sign of λ₁ − λ₂, where the ray crosses the planes of s and t at o + λ₁·d and o + λ₂·d. Exact. Neither plane may be
+/// parallel to the ray.
+Sign compare_hits(const Ray& r, const Triangle& s, const Triangle& t);
+
+}  // namespace tribunal

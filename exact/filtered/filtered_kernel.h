@@ -1,0 +1,38 @@
+// The filtered kernel: each sign by the filter where that is certain, else exactly.
+#pragma once
+
+#include "core/kernel.h"
+#include "exact/filtered/tally.h"
+
+namespace tribunal {
+
+/// Exact for all finite binary64 coordinates, whatever the rounding mode of the thread. Each sign comes from the first
+/// stage that can tell:
+///   filter     the formula in double, if its value exceeds a proved bound;
+///   expansion  the formula over integers of three or six machine words, on the operands moved to an integer grid;
+///   exact      the formula over GMP integers.
+/// A tally, if given, counts them. Thread safety: use one tally a thread; else nothing is shared.
+class FilteredKernel {
+ public:
+  explicit FilteredKernel(Tally* tally = nullptr) : tally_(tally) {}
+
+  Sign orient3d(const Point3& a, const Point3& b, const Point3& c, const Point3& x) const;
+  Sign orient3d(const Point3& a, const Point3& b, const Point3& c, const Direction& x) const;
+  Sign orient2d(Axis dropped, const Point3& a, const Point3& b, const Point3& x) const;
+  Sign orient2d(Axis dropped, const Point3& a, const Point3& b, const Direction& x) const;
+  Sign compare(Axis axis, const Point3& a, const Point3& x) const;
+  Sign compare(Axis axis, const Point3& a, const Direction& x) const;
+  Sign compare_hits(const Ray& r, const Triangle& s, const Triangle& t) const;
+
+ private:
+  Sign told(Sign s, Stage stage) const {
+    if (tally_ != nullptr) ++(*tally_)[stage];
+    return s;
+  }
+
+  Tally* tally_;
+};
+
+static_assert(Kernel<FilteredKernel>);
+
+}  // namespace tribunal

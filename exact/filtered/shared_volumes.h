@@ -1,0 +1,125 @@
+// The five signed volumes of the Segura–Feito test from four shared differences, and what their signs decide.
+// The formula is a template: doubles, vector lanes, toy floats and the error-tracking type run the same lines.
+#pragma once
+
+#include <type_traits>
+
+#include "core/moeller_trumbore.h"
+#include "core/query.h"
+#include "exact/filtered/filter_bounds.h"
+#include "exact/filtered/twin.h"
+
+namespace tribunal {
+
+/// The differences that all five volumes are made of, two by two: (u | w) and (v | d), where u = b − a, v = c − a,
+/// w = source − a, and d leads from source to target. Each coordinate is rounded once; a ray's direction not at all.
+template <class N>
+struct Arms {
+  Vec3<Twin<N>> uw, vd;
+};
+
+/// Operands in number type N, as they are lifted or loaded.
+template <class N>
+struct LiftedTriangle {
+  Vec3<N> a, b, c;
+};
+
+template <class N>
+Arms<N> segment_arms(const Vec3<N>& p, const Vec3<N>& q, const LiftedTriangle<N>& t) {
+  return {beside(t.b, p) - beside(t.a, t.a), beside(t.c, q) - beside(t.a, p)};
+}
+
+template <class N>
+Arms<N> ray_arms(const Vec3<N>& o, const Vec3<N>& d, const LiftedTriangle<N>& t) {
+  return {beside(t.b, o) - beside(t.a, t.a), beside(t.c - t.a, d)};
+}
+
+template <class N>
+Arms<N> arms_of(const Segment& s, const Triangle& t) {
+  return segment_arms<N>(lift<N>(s.p), lift<N>(s.q), {lift<N>(t.a), lift<N>(t.b), lift<N>(t.c)});
+}
+
+template <class N>
+Arms<N> arms_of(const Ray& r, const Triangle& t) {
+  return ray_arms<N>(lift<N>(r.o), lift<N>(r.d.v), {lift<N>(t.a), lift<N>(t.b), lift<N>(t.c)});
+}
+
+/// orient3d(a, b, c, source) and orient3d(a, b, c, target), and what a point gains on the plane along d.
+template <class N>
+struct Sides {
+  N source, target, toward;
+};
+
+/// orient3d(source, a, b, target), orient3d(source, b, c, target), orient3d(source, a, c, target). Around the triangle
+/// the third would be ca = −ac: ab + bc − ac = toward.
+template <class N>
+struct Edges {
+  N ab, bc, ac;
+};
+
+template <class N>
+struct SharedVolumes {
+  Sides<N> sides;
+  Edges<N> edges;
+};
+
+/// The five volumes of a segment or ray (P) by two cross products and four dot products, two at a time.
+///
+/// (u | w) × (v | d) is the plane's normal and the line's moment. The normal tells the sides: source = normal·w, and
+/// `toward` = normal·d is what a point gains along d; for a target at infinity it is the side. The moment tells the
+/// edges: det(a−p, b−p, d) = det(u, w, d), since adding one column to another changes nothing; so ab = u·moment and
+/// ac = v·moment. ab + bc − ac = toward, so the third costs two additions.
+template <class P, class N>
+SharedVolumes<N> shared_volumes(const Arms<N>& r) {
+  const Vec3<Twin<N>> normal_moment = cross(r.uw, r.vd);
+  const Twin<N> source_ab = dot(normal_moment, swapped(r.uw));
+  const Twin<N> toward_ac = dot(normal_moment, swapped(r.vd));
+  const N source = first(source_ab), ab = second(source_ab), toward = first(toward_ac), ac = second(toward_ac);
+  const N bc = toward - ab + ac;
+  if constexpr (std::is_same_v<P, Segment>) {
+    const N target = source + toward;
+    return {{source, target, toward}, {ab, bc, ac}};
+  } else {
+    return {{source, toward, toward}, {ab, bc, ac}};
+  }
+}
+
+/// The largest magnitude on each axis of all arms. A NaN may go unseen: volumes that depend on it are NaN too.
+template <class N>
+Vec3<N> largest(const Arms<N>& r) {
+  const auto over_lanes = [](const Twin<N>& m) { return larger(first(m), second(m)); };
+  return {over_lanes(larger_magnitude(r.uw.x, r.vd.x)), over_lanes(larger_magnitude(r.uw.y, r.vd.y)),
+          over_lanes(larger_magnitude(r.uw.z, r.vd.z))};
+}
+
+/// How far the volumes are from saying another thing: positive where they say hit, negative where they say miss.
+///
+/// With the signs of all turned so that `toward` ≥ 0, a probe that crosses the triangle runs from below the plane to
+/// above it and passes the edges ab, bc, ca on its left: so −source, target, ab, bc and −ac are all positive, and the
+/// margin is the least of them.
+/// bc comes last: a NaN in any coordinate makes it NaN, and `smaller` then returns its second operand.
+template <class N>
+N margin_of(const SharedVolumes<N>& v) {
+  const auto& [s, e] = v;
+  const N forward = unit_with_sign_of(s.toward), backward = -forward;
+  const N sides = smaller(N(s.source * backward), N(s.target * forward));
+  const N edges = smaller(N(e.ab * forward), N(e.ac * backward));
+  return smaller(smaller(sides, edges), N(e.bc * forward));
+}
+
+/// A certain hit. Every volume is known up to ±bound, so all of them have the signs that they show; and the sign of
+/// the edges is that of their sum, `toward`, whatever its computed sign.
+template <class N>
+auto certain_hit(const N& margin, const N& bound) {
+  return margin > bound;
+}
+
+/// A certain miss. Where one of −source and target is below −3·bound, both ends lie off the plane on one side for
+/// certain, since they add up to `toward` ≥ 0. Where an edge is, another is above bound: the line certainly passes one
+/// on its left and one on its right. Rounding changes those sums by less than bound/2: docs/error-bounds.md.
+template <class N>
+auto certain_miss(const N& margin, const N& bound) {
+  return margin < bound * N(-3.0);
+}
+
+}  // namespace tribunal

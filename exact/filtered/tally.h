@@ -1,0 +1,34 @@
+// How often each stage decided. The caller owns it: one a thread, added up at the end.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "core/answer.h"
+
+namespace tribunal {
+
+class Tally {
+ public:
+  std::uint64_t& operator[](Stage s) { return counts_[static_cast<std::size_t>(s)]; }
+  std::uint64_t operator[](Stage s) const { return counts_[static_cast<std::size_t>(s)]; }
+
+  Tally& operator+=(const Tally& other) {
+    for (std::size_t i = 0; i < counts_.size(); ++i) counts_[i] += other.counts_[i];
+    return *this;
+  }
+
+  /// The deepest stage that decided anything; `none` if nothing was asked.
+  Stage deepest() const {
+    for (const Stage s : {Stage::exact, Stage::expansion, Stage::filter}) {
+      if ((*this)[s] > 0) return s;
+    }
+    return Stage::none;
+  }
+
+ private:
+  std::array<std::uint64_t, 4> counts_{};
+};
+
+}  // namespace tribunal

@@ -1,0 +1,92 @@
+// Two numbers side by side, computed with at once: by vector instructions where they are doubles.
+#pragma once
+
+#include <cstdint>
+
+#include "exact/filtered/filter_bounds.h"
+
+namespace tribunal {
+
+/// Lane-wise +, −, ×. The results of a and b may be of another type (a product yet to be fused with a sum).
+template <class N>
+struct Twin {
+  N first, second;
+
+  template <class M>
+  friend auto operator+(const Twin& a, const Twin<M>& b) {
+    return Twin<decltype(a.first + b.first)>{a.first + b.first, a.second + b.second};
+  }
+  template <class M>
+  friend auto operator-(const Twin& a, const Twin<M>& b) {
+    return Twin<decltype(a.first - b.first)>{a.first - b.first, a.second - b.second};
+  }
+  template <class M>
+  friend auto operator*(const Twin& a, const Twin<M>& b) {
+    return Twin<decltype(a.first * b.first)>{a.first * b.first, a.second * b.second};
+  }
+};
+
+template <class N>
+Twin<N> swapped(const Twin<N>& a) {
+  return {a.second, a.first};
+}
+
+template <class N>
+Twin<N> larger_magnitude(const Twin<N>& a, const Twin<N>& b) {
+  return {larger_magnitude(a.first, b.first), larger_magnitude(a.second, b.second)};
+}
+
+template <class N>
+N first(const Twin<N>& a) {
+  return a.first;
+}
+
+template <class N>
+N second(const Twin<N>& a) {
+  return a.second;
+}
+
+#if defined(__GNUC__)
+
+/// The same in one register.
+template <>
+struct Twin<double> {
+  using Lanes = double __attribute__((vector_size(16)));
+  using Bits = long long __attribute__((vector_size(16)));
+
+  explicit Twin(Lanes v) : lanes(v) {}
+  Twin(double a, double b) : lanes{a, b} {}
+
+  friend Twin operator+(const Twin& a, const Twin& b) { return Twin(a.lanes + b.lanes); }
+  friend Twin operator-(const Twin& a, const Twin& b) { return Twin(a.lanes - b.lanes); }
+  friend Twin operator*(const Twin& a, const Twin& b) { return Twin(a.lanes * b.lanes); }
+  friend Twin swapped(const Twin& a) { return {a.lanes[1], a.lanes[0]}; }
+  friend Twin larger_magnitude(const Twin& a, const Twin& b) {
+    const Lanes x = magnitude(a.lanes), y = magnitude(b.lanes);
+    return Twin(x > y ? x : y);
+  }
+  friend double first(const Twin& a) { return a.lanes[0]; }
+  friend double second(const Twin& a) { return a.lanes[1]; }
+
+ private:
+  static Lanes magnitude(Lanes x) {
+    constexpr Bits all_but_sign = {INT64_MAX, INT64_MAX};
+    return reinterpret_cast<Lanes>(reinterpret_cast<Bits>(x) & all_but_sign);
+  }
+
+  Lanes lanes;
+};
+
+#endif
+
+template <class N>
+Vec3<Twin<N>> beside(const Vec3<N>& a, const Vec3<N>& b) {
+  return {Twin<N>{a.x, b.x}, Twin<N>{a.y, b.y}, Twin<N>{a.z, b.z}};
+}
+
+template <class N>
+Vec3<Twin<N>> swapped(const Vec3<Twin<N>>& a) {
+  return {swapped(a.x), swapped(a.y), swapped(a.z)};
+}
+
+}  // namespace tribunal

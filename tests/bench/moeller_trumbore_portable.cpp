@@ -1,0 +1,10 @@
+// Compiled for no vector instructions in particular.
+#define HWY_COMPILE_ONLY_SCALAR
+#include "tests/bench/moeller_trumbore_lanes.h"
+
+namespace tribunal::bench {
+
+const VectorPeer moeller_trumbore_portable{"portable", HWY_NAMESPACE::moeller_trumbore_columns<false>,
+                                           HWY_NAMESPACE::moeller_trumbore_columns<true>};
+
+}  // namespace tribunal::bench

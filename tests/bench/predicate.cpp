@@ -1,0 +1,252 @@
+// Time per pair of sf-filtered, single and batched, and of its peers. `./run bench predicate` builds and runs it. All
+// benchmarks run in one process in random order, nine times each, so that a change of the machine's speed meets all of
+// them. CPU time, since others may use the machine. The last lines are `ratio NAME VALUE`, of medians.
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <deque>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/kernel.h"
+#include "core/moeller_trumbore.h"
+#include "core/segura_feito.h"
+#include "exact/filtered/batch.h"
+#include "exact/filtered/filtered.h"
+#include "exact/kernels/rational_kernel.h"
+#include "tests/bench/pairs.h"
+#include "tests/bench/peers.h"
+
+namespace tribunal::bench {
+namespace {
+
+// Pairs; multiples of 8, but no powers of two: fifteen columns a multiple of 4 KB apart fight for the same cache lines.
+constexpr std::size_t in_second_level_cache = 4000;  ///< 480 KB
+constexpr std::size_t in_first_level_cache = 248;    ///< 30 KB
+constexpr std::size_t in_memory = 1'000'000;         ///< 120 MB
+
+std::string named(const std::string& method, const std::string& population) { return population + "/" + method; }
+
+/// One test a pair; `meets` is inlined into the loop where it can be.
+template <class Meets>
+void time_single(const std::string& method, const std::string& population, const PairTable& table, Meets meets) {
+  benchmark::RegisterBenchmark(named(method, population).c_str(), [&table, meets](benchmark::State& state) {
+    for (auto _ : state) {
+      std::size_t count = 0;
+      for (const Pair& p : table.pairs()) count += meets(p.segment, p.triangle);
+      benchmark::DoNotOptimize(count);
+    }
+    state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * table.size()));
+  });
+}
+
+/// All pairs in one call.
+void time_batch(const std::string& method, const std::string& population, const PairTable& table,
+                const std::string& target, const std::function<void(std::uint8_t*)>& test) {
+  benchmark::RegisterBenchmark(named(method, population).c_str(), [&table, target, test](benchmark::State& state) {
+    force_batch_target(target);
+    std::vector<std::uint8_t> hit(table.size());
+    for (auto _ : state) {
+      test(hit.data());
+      benchmark::DoNotOptimize(hit.data());
+      benchmark::ClobberMemory();
+    }
+    state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * table.size()));
+  });
+}
+
+void time_our_single(const std::string& population, const PairTable& table) {
+  time_single("single", population, table, [](const Segment& s, const Triangle& t) { return hits(s, t); });
+}
+
+void time_scalar_mt(const std::string& population, const PairTable& table) {
+  time_single("scalar_mt", population, table,
+              [](const Segment& s, const Triangle& t) { return moeller_trumbore<double>(s, t).has_value(); });
+}
+
+bool runs_here(const VectorPeer& peer) {
+  const auto here = batch_targets();
+  return std::find(here.begin(), here.end(), peer.name) != here.end();
+}
+
+/// Ours and the uncertified peer on each target of this machine, the widest first and under the plain name.
+void time_batches(const std::string& population, const PairTable& table, bool one_against_many = false) {
+  std::string suffix;
+  for (const VectorPeer* peer : {&moeller_trumbore_avx512, &moeller_trumbore_avx2, &moeller_trumbore_portable}) {
+    if (!runs_here(*peer)) continue;
+    const VectorTest test = one_against_many ? peer->one : peer->pairs;
+    time_batch("simd_mt" + suffix, population, table, peer->name,
+               [&table, test](std::uint8_t* hit) { test(table.columns().data(), table.size(), hit); });
+    time_batch("batch" + suffix, population, table, peer->name, [&table, one_against_many](std::uint8_t* hit) {
+      const std::span<std::uint8_t> out(hit, table.size());
+      if (one_against_many) {
+        hits(table.pairs()[0].segment, table.triangles(), out);
+      } else {
+        hits(table.segments(), table.triangles(), out);
+      }
+    });
+    suffix = peer == &moeller_trumbore_avx512 ? "_avx2" : "_portable";
+  }
+}
+
+void time_exact_peers(const std::string& population, const PairTable& table) {
+  time_single("epick", population, table, epick);
+  time_single("epeck", population, table, epeck);
+  time_single("sf_rational", population, table,
+              [](const Segment& s, const Triangle& t) { return segura_feito(s, t, RationalKernel{}).hit; });
+}
+
+/// Lives as long as the benchmarks do.
+const PairTable& kept(std::vector<Pair> pairs) {
+  static std::deque<PairTable> tables;
+  return tables.emplace_back(std::move(pairs));
+}
+
+void register_all() {
+  for (const int percent : {7, 0, 50, 100}) {
+    const std::string population = "hits_" + std::to_string(percent);
+    const PairTable& table = kept(random_pairs(in_second_level_cache, percent));
+    time_scalar_mt(population, table);
+    time_our_single(population, table);
+    time_batches(population, table);
+    time_single("epick", population, table, epick);
+    if (percent != 7) continue;
+    time_single("epeck", population, table, epeck);
+    time_single("sf_double", population, table,
+                [](const Segment& s, const Triangle& t) { return segura_feito(s, t, FormulaKernel<double>{}).hit; });
+    time_single("sf_rational", population, table,
+                [](const Segment& s, const Triangle& t) { return segura_feito(s, t, RationalKernel{}).hit; });
+  }
+  time_batches("one_against_many", kept(one_segment_pairs(in_second_level_cache)), true);
+  time_batches("first_level_cache", kept(random_pairs(in_first_level_cache, 7)));
+  time_batches("memory", kept(random_pairs(in_memory, 7)));
+
+  for (const auto& [population, pairs] : {std::pair{"degenerate", degenerate_pairs(in_second_level_cache, 50)},
+                                          std::pair{"near_degenerate", near_pairs(in_second_level_cache)}}) {
+    const PairTable& table = kept(pairs);
+    time_our_single(population, table);
+    time_scalar_mt(population, table);
+    time_batch("batch", population, table, "", [&table](std::uint8_t* hit) {
+      hits(table.segments(), table.triangles(), {hit, table.size()});
+    });
+    time_exact_peers(population, table);
+  }
+  for (const int bits : {8, 16, 20, 30, 40, 50}) {
+    const PairTable& table = kept(degenerate_pairs(in_second_level_cache, bits));
+    time_our_single("mantissa_fill_" + std::to_string(bits), table);
+    time_single("epick", "mantissa_fill_" + std::to_string(bits), table, epick);
+  }
+  for (const int percent : {1, 10, 30, 100}) {
+    const PairTable& table = kept(mixed_pairs(in_second_level_cache, percent));
+    time_our_single("share_degenerate_" + std::to_string(percent), table);
+    time_single("epick", "share_degenerate_" + std::to_string(percent), table, epick);
+  }
+}
+
+/// Collects the repetitions of every benchmark, in nanoseconds a pair, while the console shows its own table.
+class Medians : public benchmark::ConsoleReporter {
+ public:
+  Medians() : ConsoleReporter(OO_None) {}
+
+  void ReportRuns(const std::vector<Run>& runs) override {
+    for (const Run& run : runs) {
+      if (run.run_type != Run::RT_Iteration || run.error_occurred) continue;
+      const double pairs = run.counters.at("items_per_second");
+      samples_[run.run_name.function_name].push_back(1e9 / pairs);
+    }
+  }
+
+  bool has(const std::string& name) const { return samples_.count(name) > 0; }
+  double median(const std::string& name) const { return quantile(name, 0.5); }
+
+  /// ns a pair: median, quartiles, repetitions.
+  void print() const {
+    std::printf("%-34s %10s %10s %10s  %s\n", "ns a pair", "median", "lower q.", "upper q.", "repetitions");
+    for (const auto& [name, samples] : samples_) {
+      std::printf("%-34s %10.2f %10.2f %10.2f  %zu\n", name.c_str(), median(name), quantile(name, 0.25),
+                  quantile(name, 0.75), samples.size());
+    }
+  }
+
+ private:
+  double quantile(const std::string& name, double q) const {
+    std::vector<double> sorted = samples_.at(name);
+    std::sort(sorted.begin(), sorted.end());
+    return sorted[static_cast<std::size_t>(q * static_cast<double>(sorted.size() - 1) + 0.5)];
+  }
+
+  std::map<std::string, std::vector<double>> samples_;
+};
+
+/// numerator / denominator, if both were measured.
+void print_ratio(const Medians& m, const std::string& name, const std::string& over, const std::string& under) {
+  if (m.has(over) && m.has(under)) std::printf("ratio %s %.3f\n", name.c_str(), m.median(over) / m.median(under));
+}
+
+void print_ratios(const Medians& m) {
+  for (const char* target : {"", "_avx2", "_portable"}) {
+    const std::string batch = std::string("hits_7/batch") + target;
+    print_ratio(m, std::string("epick_over_batch") + target, "hits_7/epick", batch);
+    print_ratio(m, std::string("batch_over_simd_mt") + target, batch, std::string("hits_7/simd_mt") + target);
+  }
+  print_ratio(m, "single_over_scalar_mt", "hits_7/single", "hits_7/scalar_mt");
+  print_ratio(m, "epick_over_single", "hits_7/epick", "hits_7/single");
+  print_ratio(m, "epeck_over_single", "hits_7/epeck", "hits_7/single");
+  print_ratio(m, "rational_over_single", "hits_7/sf_rational", "hits_7/single");
+  print_ratio(m, "sf_double_over_single", "hits_7/sf_double", "hits_7/single");
+  for (const char* percent : {"0", "50", "100"}) {
+    const std::string at = std::string("hits_") + percent + "/";
+    print_ratio(m, std::string("batch_over_simd_mt_hits_") + percent, at + "batch", at + "simd_mt");
+    print_ratio(m, std::string("single_over_scalar_mt_hits_") + percent, at + "single", at + "scalar_mt");
+    print_ratio(m, std::string("epick_over_batch_hits_") + percent, at + "epick", at + "batch");
+  }
+  for (const char* where : {"one_against_many", "first_level_cache", "memory"}) {
+    const std::string at = std::string(where) + "/";
+    print_ratio(m, std::string("batch_over_simd_mt_") + where, at + "batch", at + "simd_mt");
+  }
+  for (const char* population : {"degenerate", "near_degenerate"}) {
+    const std::string at = std::string(population) + "/";
+    print_ratio(m, std::string("epick_over_single_") + population, at + "epick", at + "single");
+    print_ratio(m, std::string("epick_over_batch_") + population, at + "epick", at + "batch");
+    print_ratio(m, std::string("rational_over_single_") + population, at + "sf_rational", at + "single");
+  }
+}
+
+/// How many random pairs go past the filter: a count, not a time.
+void print_share_past_the_filter() {
+  constexpr std::size_t n = 1U << 20, rounds = 16;
+  Tally tally;
+  std::vector<std::uint8_t> hit(n);
+  for (std::uint64_t round = 0; round < rounds; ++round) {
+    std::vector<Pair> pairs;
+    for (std::uint64_t k = 0; k < n; ++k) pairs.push_back(random_pair((round + 1) << 32 | k));
+    const PairTable table(std::move(pairs));
+    tally += hits(table.segments(), table.triangles(), hit);
+  }
+  std::printf("past the filter: %llu of %zu random pairs\n",
+              static_cast<unsigned long long>(tally[Stage::expansion] + tally[Stage::exact]), n * rounds);
+}
+
+}  // namespace
+}  // namespace tribunal::bench
+
+int main(int argc, char** argv) {
+  using namespace tribunal::bench;
+  std::vector<std::string> defaults = {argv[0], "--benchmark_repetitions=9", "--benchmark_min_time=0.05",
+                                       "--benchmark_enable_random_interleaving=true"};
+  for (int i = 1; i < argc; ++i) defaults.emplace_back(argv[i]);
+  std::vector<char*> arguments;
+  for (std::string& a : defaults) arguments.push_back(a.data());
+  int count = static_cast<int>(arguments.size());
+  benchmark::Initialize(&count, arguments.data());
+  if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 2;
+  register_all();
+  Medians medians;
+  if (benchmark::RunSpecifiedBenchmarks(&medians) == 0) return 1;
+  medians.print();
+  print_share_past_the_filter();
+  print_ratios(medians);
+}
