@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/polygon_rivals.h"
 #include "core/rivals.h"
 #include "exact/io/failure.h"
 #include "exact/kernels/exact_methods.h"
@@ -15,9 +16,20 @@ namespace {
 /// A deque: a row keeps its address when others are added.
 std::deque<Method>& table() {
   static std::deque<Method> rows = {
-      sf_float(),   sf_double(),   sf_double_eps(),          sf_epick(),
-      sf_epeck(),   sf_rational(), moeller_trumbore_float(), moeller_trumbore_double(),
-      cgal_epick(), cgal_epeck(),
+      sf_float(),
+      sf_double(),
+      sf_double_eps(),
+      sf_epick(),
+      sf_epeck(),
+      sf_rational(),
+      moeller_trumbore_float(),
+      moeller_trumbore_double(),
+      haines_float(),
+      haines_double(),
+      feito_float(),
+      feito_double(),
+      cgal_epick(),
+      cgal_epeck(),
   };
   return rows;
 }

@@ -1,6 +1,7 @@
 // Case and answer files: JSON Lines, one object a line, as docs/formats.md describes them.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,12 +22,30 @@ struct Case {
   Json finding{};  ///< what a counterexample adds: carried along, not interpreted
 };
 
+/// What cases have in common, whatever their probe is held against.
+struct CaseHead {
+  std::string id;
+  Format format;
+  Probe probe;
+  std::optional<bool> expect;
+  std::string source;
+  Json finding;
+};
+
+CaseHead to_case_head(const Json& object, const Where& where);
+
+/// "seg" or "ray".
+void add_probe(Json& object, const Probe& probe);
+
 /// One case. A key that the format does not have is an error.
 Case to_case(const Json& object, const Where& where);
 
 Json from_case(const Case& c);
 
-/// Every line of a case file that is not blank, in order. An empty file is an error.
+/// Visits every line of a case file that is not blank, in order. A file without cases is an error.
+void for_each_case(const std::string& path, const std::function<void(const Json&, const Where&)>& visit);
+
+/// The cases of a file that holds triangles only.
 std::vector<Case> read_cases(const std::string& path);
 
 Json from_answer(const std::string& id, const Method& method, const Answer& answer);

@@ -90,7 +90,7 @@ bool meets_boundary(const P& probe, const Polygon& polygon) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Point3& a = ring[i];
       const Point3& b = ring[(i + 1) % ring.size()];
-      if (meets_by_caratheodory<N>(probe, Triangle{a, b, b})) return true;
+      if (meets_by_caratheodory<N>(probe, Segment{a, b})) return true;
     }
   }
   return false;
@@ -129,58 +129,69 @@ bool is_planar_by_normal(const Polygon& polygon) {
   return true;
 }
 
-/// What judges a point of the plane that lies on no ring edge.
-enum class Inclusion : std::uint8_t { generic_ray, half_open_crossings };
-
-/// Whether the probe meets a planar polygon: a ring edge (by Carathéodory), or the plane in a point that is inside.
-/// Nothing is said of polygons that are not planar.
+/// The edges of a planar polygon as seen from the point where the probe meets its plane: from its source if it lies in
+/// it. Nothing if it misses the plane, or the vertices lie on a line.
 template <class N, class P>
-std::optional<bool> meets_by_plane(const P& probe, const Polygon& polygon, Inclusion inclusion) {
+std::optional<std::vector<SeenEdge<N>>> seen_from_plane(const P& probe, const Polygon& polygon) {
   namespace detail = polygon_oracle_detail;
-  if (!is_planar_by_normal<N>(polygon)) return std::nullopt;
-  if (detail::meets_boundary<N>(probe, polygon)) return true;
   const Vec3<N> n = detail::normal_of<N>(polygon), o = lift<N>(polygon.vertices.front());
-  if (detail::vanishes(n)) return false;
+  if (detail::vanishes(n)) return std::nullopt;
   const detail::Line<N> line = detail::line_of<N>(probe);
   const N height = detail::inner(n, line.p - o), slope = detail::inner(n, line.d);
   const bool in_plane = sign_of(height) == Sign::zero && sign_of(slope) == Sign::zero;
   const auto x = in_plane ? detail::Homogeneous<N>{line.p, N(1)} : detail::crossing(line, o, n);
-  if (!x) return false;
-  const auto edges = detail::seen_edges(polygon, *x, detail::axis_across(n));
-  return inclusion == Inclusion::generic_ray ? inside_by_generic_ray(edges) : inside_by_half_open_crossings(edges);
+  if (!x) return std::nullopt;
+  return detail::seen_edges(polygon, *x, detail::axis_across(n));
 }
 
-/// Whether the probe meets the covering surface: a ring edge (by Carathéodory), or an odd sum of signed crossings, each
-/// by the barycentric coordinates of the point where it meets the triangle's plane; on an internal edge half.
-/// For planar polygons a probe in the plane is not asked for: nothing is said.
+/// Twice the signed number of covering triangles that the probe crosses, each by the barycentric coordinates of the
+/// point where it meets the triangle's plane: on an internal edge half. The probe must meet no ring edge.
 template <class N, class P>
-std::optional<bool> meets_by_surface(const P& probe, const Polygon& polygon) {
+int surface_halves(const P& probe, const Polygon& polygon) {
   namespace detail = polygon_oracle_detail;
-  if (detail::meets_boundary<N>(probe, polygon)) return true;
   const detail::Line<N> line = detail::line_of<N>(probe);
   const Point3& o = polygon.vertices.front();
   int halves = 0;
-  bool crosses_some_plane = false;
   for (std::size_t r = 0; r < polygon.rings(); ++r) {
     const Ring ring = polygon.ring(r);
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Point3 &a = ring[i], &b = ring[(i + 1) % ring.size()];
       const Vec3<N> n = detail::cross_product(lift<N>(a) - lift<N>(o), lift<N>(b) - lift<N>(o));
-      const N slope = detail::inner(n, line.d);
-      crosses_some_plane |= sign_of(slope) != Sign::zero;
       const auto x = detail::crossing(line, lift<N>(o), n);
       if (!x) continue;
       const Vec3<N> to_o = detail::seen_from(*x, o), to_a = detail::seen_from(*x, a), to_b = detail::seen_from(*x, b);
-      const N of_o = detail::inner(n, detail::cross_product(to_a, to_b)),
-              of_a = detail::inner(n, detail::cross_product(to_b, to_o)),
-              of_b = detail::inner(n, detail::cross_product(to_o, to_a));
+      const N of_o = detail::inner(n, detail::cross_product(to_a, to_b));
+      const N of_a = detail::inner(n, detail::cross_product(to_b, to_o));
+      const N of_b = detail::inner(n, detail::cross_product(to_o, to_a));
       if (value(sign_of(of_o)) < 0 || value(sign_of(of_a)) < 0 || value(sign_of(of_b)) < 0) continue;
       const bool on_spoke = sign_of(of_a) == Sign::zero || sign_of(of_b) == Sign::zero;
+      const N slope = detail::inner(n, line.d);
       halves += (on_spoke ? 1 : 2) * value(sign_of(slope));
     }
   }
-  if (!crosses_some_plane && is_planar_by_normal<N>(polygon)) return std::nullopt;
-  return (halves % 4 + 4) % 4 == 2;
+  return halves;
+}
+
+/// What the oracles say of a probe and a polygon.
+struct PolygonVerdicts {
+  bool planar;
+  bool boundary;  ///< a ring edge is met, by Carathéodory: the probe meets the polygon whatever else
+  /// Planar: whether the point where the plane is met lies inside, on no ring edge.
+  bool by_generic_ray = false, by_half_open_crossings = false;
+  int surface_halves = 0;  ///< 2 modulo 4: the covering surface is crossed an odd number of times
+};
+
+template <class N, class P>
+PolygonVerdicts ask_oracles(const P& probe, const Polygon& polygon) {
+  PolygonVerdicts v{is_planar_by_normal<N>(polygon), polygon_oracle_detail::meets_boundary<N>(probe, polygon)};
+  if (v.boundary) return v;
+  v.surface_halves = surface_halves<N>(probe, polygon);
+  if (!v.planar) return v;
+  if (const auto edges = seen_from_plane<N>(probe, polygon)) {
+    v.by_generic_ray = inside_by_generic_ray(*edges);
+    v.by_half_open_crossings = inside_by_half_open_crossings(*edges);
+  }
+  return v;
 }
 
 }  // namespace tribunal
