@@ -6,22 +6,26 @@
 #include "exact/io/failure.h"
 #include "exact/io/files.h"
 #include "exact/methods.h"
+#include "exact/polygon/fuzz.h"
+#include "exact/polygon/shrink.h"
 
 namespace tribunal {
 namespace {
 
 int run_replay(const std::string& file) {
   bool any_wrong = false;
-  for (const Case& c : read_cases(file)) {
+  const auto show = [&](const auto& c) {
     bool wrong = false;
     print(replay(c, wrong) + "\n");
     any_wrong |= wrong;
-  }
+  };
+  for (const AnyCase& c : read_any_cases(file)) std::visit(show, c);
   return code(any_wrong ? Exit::disagreement : Exit::ok);
 }
 
 /// The method that a case is a counterexample to: named in its finding, or given.
-const Method& method_of(const Case& c, const std::string& given, const std::string& file) {
+template <class C>
+const Method& method_of(const C& c, const std::string& given, const std::string& file) {
   const std::string name = !given.empty() ? given : c.finding.is_object() ? c.finding.value("method", "") : "";
   if (name.empty()) throw Failure(Exit::usage, file + ": " + c.id + " names no method, expected --method");
   const Method* method = find_method(name);
@@ -29,15 +33,19 @@ const Method& method_of(const Case& c, const std::string& given, const std::stri
   return *method;
 }
 
-Case shrunk(Case c, const Method& method) {
-  const Truth before = exact_truth(c.query);
-  if (judge(method, before, method.ask(c.query)) != Judgement::wrong) {
+void take_class(Case& c, const Truth& truth) { c.class_id = truth.class_id; }
+
+void take_class(PolygonCase&, const PolygonTruth&) {}
+
+template <class C>
+C shrunk(C c, const Method& method) {
+  if (judge(method, exact_truth(c.query), method.ask(c.query)) != Judgement::wrong) {
     throw Failure(Exit::bad_input, c.id + ": " + method.name + " answers it rightly, expected a counterexample");
   }
   c.query = shrink(method, c.query, c.format);
-  const Truth truth = exact_truth(c.query);
+  const auto truth = exact_truth(c.query);
   c.expect = truth.hit();
-  c.class_id = truth.class_id;
+  take_class(c, truth);
   const Json origin = c.finding.is_object() ? c.finding.value("origin", Json()) : Json();
   c.finding = finding_of(method, c.query, truth);
   if (!origin.is_null()) c.finding["origin"] = origin;
@@ -46,9 +54,10 @@ Case shrunk(Case c, const Method& method) {
 
 int run_shrink(const std::string& file, const std::string& method, const std::string& out) {
   require_different(file, out);
-  std::vector<Case> cases;
-  for (const Case& c : read_cases(file)) cases.push_back(shrunk(c, method_of(c, method, file)));
-  write_file(out, to_lines(cases));
+  std::string lines;
+  const auto add = [&](const auto& c) { lines += from_case(shrunk(c, method_of(c, method, file))).dump() + "\n"; };
+  for (const AnyCase& c : read_any_cases(file)) std::visit(add, c);
+  write_file(out, lines);
   return 0;
 }
 

@@ -17,6 +17,11 @@ enum class Approach : std::uint8_t { through, from, to };
 
 inline constexpr int approach_count = 3;
 
+constexpr std::string_view name_of(Approach a) {
+  constexpr std::string_view names[] = {"through", "from", "to"};
+  return names[static_cast<int>(a)];
+}
+
 /// What the construction of a case proves.
 struct Known {
   std::size_t shape;  ///< index into all_shapes()
