@@ -1,10 +1,10 @@
 // The classical way with a polygon: intersect with its plane, project, ask whether the projected point is inside.
-// Sources: the plane by Newell's sums: Sutherland, Sproull & Schumacker, "A characterization of ten hidden-surface
-// algorithms", Computing Surveys 6(1), 1974; inclusion by crossing count: Haines, "Point in polygon strategies",
-// Graphics Gems IV, 1994; by signed triangles: Feito, Torres & Ureña, "Orientation, simplicity and inclusion test for
+// Sources: inclusion by crossing count: Haines, "Point in polygon strategies", Graphics Gems IV, 1994; by signed
+// triangles: Feito, Torres & Ureña, "Orientation, simplicity and inclusion test for
 // planar polygons", Computers & Graphics 19(4), 1995.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -17,7 +17,7 @@ namespace tribunal {
 template <class N>
 struct ClassicalPolygon {
   Polygon polygon;
-  Vec3<N> normal;  ///< twice the vector area of the outer ring; zero if it has none
+  Vec3<N> normal;  ///< zero if all triangles of the covering are flat
   N height;        ///< normal · x of the points x of the plane
   Axis dropped;
   std::vector<Vec2<N>> flat;  ///< the vertices, projected
@@ -29,15 +29,15 @@ Axis longest_axis(const Vec3<N>& v) {
   return x >= y && x >= z ? Axis::x : y >= z ? Axis::y : Axis::z;
 }
 
-/// Newell's sums run over the outer ring, relative to its first vertex.
+/// The normal is that of the largest triangle of the covering: the best that one cross product can do. (Newell's sum
+/// over all of them would vanish on a bow-tie.)
 template <class N>
 ClassicalPolygon<N> classical_polygon(const Polygon& polygon) {
   ClassicalPolygon<N> c{polygon, {0, 0, 0}, 0, Axis::z, {}};
-  const Ring outer = polygon.ring(0);
   const Vec3<N> o = lift<N>(polygon.vertices.front());
-  for (std::size_t i = 1; i + 1 < outer.size(); ++i) {
-    const Vec3<N> area = cross(arm<N>(o, outer[i]), arm<N>(o, outer[i + 1]));
-    c.normal = {c.normal.x + area.x, c.normal.y + area.y, c.normal.z + area.z};
+  for (std::size_t i = 1; i + 1 < polygon.vertices.size(); ++i) {
+    const Vec3<N> n = cross(arm<N>(o, polygon.vertices[i]), arm<N>(o, polygon.vertices[i + 1]));
+    if (dot(n, n) > dot(c.normal, c.normal)) c.normal = n;
   }
   c.height = dot(c.normal, o);
   c.dropped = longest_axis(c.normal);
