@@ -124,9 +124,8 @@ Json from_case(const Case& c) {
   return object;
 }
 
-void for_each_case(const std::string& path, const std::function<void(const Json&, const Where&)>& visit) {
+void for_each_line(const std::string& path, const std::function<void(const Json& object, const Where& where)>& visit) {
   const std::string text = read_file(path);
-  bool any = false;
   std::size_t line_number = 0;
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
@@ -136,14 +135,13 @@ void for_each_case(const std::string& path, const std::function<void(const Json&
     if (is_blank(line)) continue;
     if (line.size() > max_line) where.fail("line longer than 1 MiB, expected one JSON object");
     visit(parse_json(line, where), where);
-    any = true;
   }
-  if (!any) throw bad_input(path, 0, "holds no cases, expected one JSON object a line");
 }
 
 std::vector<Case> read_cases(const std::string& path) {
   std::vector<Case> cases;
-  for_each_case(path, [&](const Json& object, const Where& where) { cases.push_back(to_case(object, where)); });
+  for_each_line(path, [&](const Json& object, const Where& where) { cases.push_back(to_case(object, where)); });
+  if (cases.empty()) throw bad_input(path, 0, "holds no cases, expected one JSON object a line");
   return cases;
 }
 

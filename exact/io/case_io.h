@@ -42,10 +42,10 @@ Case to_case(const Json& object, const Where& where);
 
 Json from_case(const Case& c);
 
-/// Visits every line of a case file that is not blank, in order. A file without cases is an error.
-void for_each_case(const std::string& path, const std::function<void(const Json&, const Where&)>& visit);
+/// Calls `visit` with the object on every line that is not blank, in order. A line may have 1 MiB.
+void for_each_line(const std::string& path, const std::function<void(const Json& object, const Where& where)>& visit);
 
-/// The cases of a file that holds triangles only.
+/// Every line of a case file that is not blank, in order. An empty file is an error.
 std::vector<Case> read_cases(const std::string& path);
 
 Json from_answer(const std::string& id, const Method& method, const Answer& answer);

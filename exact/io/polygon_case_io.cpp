@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "exact/io/failure.h"
+
 namespace tribunal {
 PolygonData to_polygon(const Json& rings, Format format, const Where& where) {
   if (!rings.is_array() || rings.empty()) where.fail("expected an array of at least one ring");
@@ -55,13 +57,14 @@ Json from_case(const PolygonCase& c) {
 
 std::vector<AnyCase> read_any_cases(const std::string& path) {
   std::vector<AnyCase> cases;
-  for_each_case(path, [&](const Json& object, const Where& where) {
+  for_each_line(path, [&](const Json& object, const Where& where) {
     if (object.is_object() && object.contains("rings")) {
       cases.emplace_back(to_polygon_case(object, where));
     } else {
       cases.emplace_back(to_case(object, where));
     }
   });
+  if (cases.empty()) throw bad_input(path, 0, "holds no cases, expected one JSON object a line");
   return cases;
 }
 
