@@ -1,6 +1,7 @@
 // A method: one intersection test under trial, with what it promises.
 #pragma once
 
+#include <concepts>
 #include <functional>
 #include <span>
 #include <string>
@@ -61,7 +62,9 @@ struct Method {
     return std::visit([&](const auto& probe) { return ask(probe, query.triangle); }, query.probe);
   }
 
-  PolygonAnswer ask(const PolygonQuery& query) const {
+  /// The same about a polygon. A template only so that `ask({probe, triangle})` stays unambiguous.
+  template <std::same_as<PolygonQuery> Q>
+  PolygonAnswer ask(const Q& query) const {
     const bool finite = std::visit([](const auto& probe) { return is_finite(probe); }, query.probe);
     if (!finite || !is_finite(query.polygon)) return {.answer = refusal(Status::nonfinite)};
     if (!polygon || query.polygon.vertices.empty()) return {.answer = refusal(Status::unsupported)};
