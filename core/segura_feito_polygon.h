@@ -11,7 +11,7 @@
 namespace tribunal {
 
 /// The sides of a plane on which the probe's ends lie.
-struct Sides {
+struct PlaneSides {
   Sign source, target;
 
   bool in_plane() const { return source == Sign::zero && target == Sign::zero; }
@@ -19,7 +19,7 @@ struct Sides {
 };
 
 template <Kernel K, class P>
-Sides sides_of(const Triangle& t, const P& probe, const K& k) {
+PlaneSides sides_of(const Triangle& t, const P& probe, const K& k) {
   return {k.orient3d(t.a, t.b, t.c, source(probe)), k.orient3d(t.a, t.b, t.c, target(probe))};
 }
 
@@ -56,7 +56,7 @@ Crossings crossings(const P& probe, const Covering& c, const SidesOf& sides, con
       ++sum.edge_on;
       return sum.boundary = meets_ring_edge(probe, a, b, k);
     }
-    const Sides s = sides(a, b);
+    const PlaneSides s = sides(a, b);
     if (s.in_plane() || !reaches(s.source, s.target, target(probe))) return false;
     const Location location = passage.location();
     if (location == Location::vertex || location == Location::external_edge) return sum.boundary = true;
@@ -114,7 +114,7 @@ Answer answer_of(const Crossings& sum, const P& probe, const Polygon& polygon, A
 /// A polygon in one plane: the plane is asked first, once, and then the line alone decides.
 template <Kernel K, class P>
 Answer meet_planar(const P& probe, const Covering& c, const K& k) {
-  const Sides s = sides_of(c.plane->triangle, probe, k);
+  const PlaneSides s = sides_of(c.plane->triangle, probe, k);
   if (s.in_plane()) {
     return meets_in_plane(probe, c.polygon, c.plane->dropped, k) ? hit_at(Contact::coplanar) : miss();
   }

@@ -87,12 +87,12 @@ Segment draw_piercing(Draw& draw, const AffineMap& map, const PlanePoint& x, App
 
 /// The shapes, places and approaches in turn. A place that the shape does not have gives way to the next that it has.
 Known known_of(std::uint64_t k) {
-  Known known{k % shape_count, static_cast<Place>(k / shape_count % place_count),
+  Known known{k % shape_count, static_cast<PolygonPlace>(k / shape_count % place_count),
               static_cast<Approach>(k % approach_count)};
   const Places& places = places_of(all_shapes()[known.shape]);
   auto place = static_cast<std::size_t>(known.place);
   while (places[place].empty()) place = (place + 1) % place_count;
-  known.place = static_cast<Place>(place);
+  known.place = static_cast<PolygonPlace>(place);
   return known;
 }
 

@@ -25,7 +25,7 @@ constexpr std::string_view name_of(Approach a) {
 /// What the construction of a case proves.
 struct Known {
   std::size_t shape;  ///< index into all_shapes()
-  Place place;
+  PolygonPlace place;
   Approach approach;
 };
 

@@ -88,8 +88,8 @@ PolygonFuzzReport fuzz(const PolygonFuzzPlan& plan) {
 
 std::string describe(const PolygonCoverage& coverage) {
   std::set<std::size_t> shapes;
-  std::set<std::pair<Place, Approach>> places;
-  std::set<std::pair<std::size_t, Place>> pairs;
+  std::set<std::pair<PolygonPlace, Approach>> places;
+  std::set<std::pair<std::size_t, PolygonPlace>> pairs;
   for (const auto& [known, n] : coverage) {
     const auto& [shape, place, approach] = known;
     shapes.insert(shape);

@@ -37,7 +37,7 @@ struct PolygonCell {
 };
 
 /// How often a construction was asked.
-using PolygonCoverage = std::map<std::tuple<std::size_t, Place, Approach>, std::uint64_t>;
+using PolygonCoverage = std::map<std::tuple<std::size_t, PolygonPlace, Approach>, std::uint64_t>;
 
 /// A wrong answer, with all that is needed to make the case again.
 struct PolygonFinding {

@@ -72,24 +72,24 @@ bool one_run(const Touched& t, std::span<const PlaneRing> rings) {
   return starts <= 1;
 }
 
-Place place_of_vertex(const PlanePoint& x, const Touched& t, std::span<const PlaneRing> rings) {
-  if (x == rings[0][0]) return Place::first_vertex;
-  if (t.vertices.size() > 1) return one_run(t, rings) ? Place::repeated_vertex : Place::touching_vertices;
-  if (!t.directions.empty()) return Place::vertex_on_edge;
+PolygonPlace place_of_vertex(const PlanePoint& x, const Touched& t, std::span<const PlaneRing> rings) {
+  if (x == rings[0][0]) return PolygonPlace::first_vertex;
+  if (t.vertices.size() > 1) return one_run(t, rings) ? PolygonPlace::repeated_vertex : PolygonPlace::touching_vertices;
+  if (!t.directions.empty()) return PolygonPlace::vertex_on_edge;
   const PlaneRing& ring = rings[t.rings[0]];
-  if (ring.size() == 1) return Place::lone_vertex;
+  if (ring.size() == 1) return PolygonPlace::lone_vertex;
   const PlanePoint to = next(ring, t.vertices[0]) - x, from = previous(ring, t.vertices[0]) - x;
-  if (cross(to, from) == 0) return dot(to, from) > 0 ? Place::spike_tip : Place::flat_vertex;
-  return t.rings[0] == 0 ? Place::outer_corner : Place::hole_corner;
+  if (cross(to, from) == 0) return dot(to, from) > 0 ? PolygonPlace::spike_tip : PolygonPlace::flat_vertex;
+  return t.rings[0] == 0 ? PolygonPlace::outer_corner : PolygonPlace::hole_corner;
 }
 
-Place place_on_edge(const Touched& t) {
+PolygonPlace place_on_edge(const Touched& t) {
   for (const PlanePoint& d : t.directions) {
-    if (cross(d, t.directions[0]) != 0) return Place::crossing_edges;
+    if (cross(d, t.directions[0]) != 0) return PolygonPlace::crossing_edges;
   }
-  if (t.directions.size() > 1) return Place::overlapping_edges;
-  if (t.edge_at_first) return Place::edge_at_first;
-  return t.edge_ring == 0 ? Place::outer_edge : Place::hole_edge;
+  if (t.directions.size() > 1) return PolygonPlace::overlapping_edges;
+  if (t.edge_at_first) return PolygonPlace::edge_at_first;
+  return t.edge_ring == 0 ? PolygonPlace::outer_edge : PolygonPlace::hole_edge;
 }
 
 /// The triangles of the covering that hold x, and on how many spokes.
@@ -118,27 +118,27 @@ Covered covered(const PlanePoint& x, std::span<const PlaneRing> rings) {
   return c;
 }
 
-Place place_inside(const Covered& c) {
-  if (c.on_spoke.size() > 2) return Place::inside_on_spokes;
+PolygonPlace place_inside(const Covered& c) {
+  if (c.on_spoke.size() > 2) return PolygonPlace::inside_on_spokes;
   if (c.on_spoke.size() == 2) {
-    return c.on_spoke[0] == c.on_spoke[1] ? Place::inside_on_spoke : Place::inside_on_fold;
+    return c.on_spoke[0] == c.on_spoke[1] ? PolygonPlace::inside_on_spoke : PolygonPlace::inside_on_fold;
   }
-  return c.triangles > 1 ? Place::inside_overlapping : Place::inside_plain;
+  return c.triangles > 1 ? PolygonPlace::inside_overlapping : PolygonPlace::inside_plain;
 }
 
-Place place_outside(const Covered& c, int turns, bool in_outer_ring) {
-  if (!c.on_spoke.empty()) return Place::outside_on_spoke;
-  if (in_outer_ring) return Place::outside_in_hole;
-  if (turns != 0) return Place::outside_wound;
-  if (c.triangles > 0) return Place::outside_cancelled;
-  return c.in_line_with_edge    ? Place::outside_in_line
-         : c.in_line_with_spoke ? Place::outside_off_spoke
-                                : Place::outside_far;
+PolygonPlace place_outside(const Covered& c, int turns, bool in_outer_ring) {
+  if (!c.on_spoke.empty()) return PolygonPlace::outside_on_spoke;
+  if (in_outer_ring) return PolygonPlace::outside_in_hole;
+  if (turns != 0) return PolygonPlace::outside_wound;
+  if (c.triangles > 0) return PolygonPlace::outside_cancelled;
+  return c.in_line_with_edge    ? PolygonPlace::outside_in_line
+         : c.in_line_with_spoke ? PolygonPlace::outside_off_spoke
+                                : PolygonPlace::outside_far;
 }
 
 }  // namespace
 
-Place place_of(const PlanePoint& x, std::span<const PlaneRing> rings) {
+PolygonPlace place_of(const PlanePoint& x, std::span<const PlaneRing> rings) {
   const Touched t = touched(x, rings);
   if (!t.vertices.empty()) return place_of_vertex(x, t, rings);
   if (!t.directions.empty()) return place_on_edge(t);
@@ -149,7 +149,7 @@ Place place_of(const PlanePoint& x, std::span<const PlaneRing> rings) {
   return place_outside(c, turns, winding(x, rings[0]) % 2 != 0);
 }
 
-std::string_view name_of(Place place) {
+std::string_view name_of(PolygonPlace place) {
   constexpr std::string_view names[place_count] = {"first vertex",
                                                    "repeated vertex",
                                                    "touching vertices",

@@ -30,7 +30,7 @@ std::span<const Shape> all_shapes();
 
 /// Where a point lies: 14 kinds on the boundary, 5 inside, 7 outside, among rings and among the covering's triangles.
 /// A spoke is an internal edge of the covering.
-enum class Place : std::uint8_t {
+enum class PolygonPlace : std::uint8_t {
   first_vertex,        ///< the vertex from which the covering is made
   repeated_vertex,     ///< consecutive equal vertices
   touching_vertices,   ///< vertices of two rings, or of two passages of one
@@ -61,17 +61,17 @@ enum class Place : std::uint8_t {
 
 inline constexpr int place_count = 26;
 
-std::string_view name_of(Place place);
+std::string_view name_of(PolygonPlace place);
 
 /// Whether the closed polygon has such a point.
-constexpr bool is_met(Place place) { return place < Place::outside_wound; }
+constexpr bool is_met(PolygonPlace place) { return place < PolygonPlace::outside_wound; }
 
-constexpr bool is_vertex(Place place) { return place <= Place::hole_corner; }
+constexpr bool is_vertex(PolygonPlace place) { return place <= PolygonPlace::hole_corner; }
 
-constexpr bool is_boundary(Place place) { return place <= Place::crossing_edges; }
+constexpr bool is_boundary(PolygonPlace place) { return place <= PolygonPlace::crossing_edges; }
 
 /// The place of x among the rings, by integers. Its winding numbers are summed ray by ray, not triangle by triangle.
-Place place_of(const PlanePoint& x, std::span<const PlaneRing> rings);
+PolygonPlace place_of(const PlanePoint& x, std::span<const PlaneRing> rings);
 
 /// All integer points within two units of the shape's square, by their place.
 using Places = std::array<std::vector<PlanePoint>, place_count>;

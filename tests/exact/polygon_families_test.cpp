@@ -58,8 +58,8 @@ TEST(PolygonFamilies, ExactMethodsAreRight) {
 /// One round over shapes × places × approaches leaves none out, whatever the level.
 TEST(PolygonFamilies, AllKindsAreReached) {
   std::set<std::size_t> shapes;
-  std::set<std::pair<Place, Approach>> places;
-  std::set<std::pair<std::size_t, Place>> pairs;
+  std::set<std::pair<PolygonPlace, Approach>> places;
+  std::set<std::pair<std::size_t, PolygonPlace>> pairs;
   const PolygonFamily& family = *find_polygon_family("polygon-affine");
   for (std::uint64_t k = 0; k < shape_count * place_count * 6U; ++k) {
     const PolygonTrial trial = family.make(Format::binary64, 1, k);
@@ -77,7 +77,7 @@ TEST(PolygonFamilies, TheirShapesHaveAllPlaces) {
   for (int i = 0; i < place_count; ++i) {
     std::size_t points = 0;
     for (const Shape& shape : all_shapes()) points += places_of(shape)[static_cast<std::size_t>(i)].size();
-    EXPECT_GT(points, 0U) << name_of(static_cast<Place>(i));
+    EXPECT_GT(points, 0U) << name_of(static_cast<PolygonPlace>(i));
   }
 }
 

@@ -47,7 +47,7 @@ auto weighed(const Weight& weight) {
     return [c = cover(polygon, k), weight](const Segment& s) {
       const Answer right = segura_feito(s, c, k).answer;
       if (!c.plane || (right.hit && right.contact != Contact::interior)) return right.hit;
-      const Sides sides = sides_of(c.plane->triangle, s, k);
+      const PlaneSides sides = sides_of(c.plane->triangle, s, k);
       if (sides.in_plane() || !reaches(sides.source, sides.target, s.q)) return right.hit;
       int sum = 0;
       const auto side = [&](const Point3& a, const Point3& b) { return k.orient3d(s.p, a, b, s.q); };
