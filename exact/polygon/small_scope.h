@@ -19,18 +19,33 @@ struct PolygonScope {
   std::uint64_t contradictions = 0;  ///< points on which the two oracles differ
 };
 
+/// Which vertex the rings, and so the covering, start with: their lowest, which is on the hull; or the grid's centre.
+enum class Start : std::uint8_t { lowest, centre };
+
+/// Which rings, and how fine the piercing points are: half a grid step, over `refinement`.
+struct RingScope {
+  int most_vertices = 6;
+  Start start = Start::lowest;
+  int refinement = 1;
+};
+
 namespace small_scope_detail {
 
 using Cells = std::vector<int>;  ///< grid points 0..8 of a ring
 
-inline constexpr int grid_points = 9, side = 7, piercing_points = side * side, plane_segments = 45;
+inline constexpr int grid_points = 9, centre = 4, plane_segments = 45;
 
-/// Grid coordinates in half steps, then an integer map that leaves no coordinate plane parallel to the grid's.
+/// An integer map of the plane and its normal that leaves no coordinate plane parallel to the grid's.
 inline Point3 placed(int u, int v, int w) { return {u + w, v - u + 2 * w, u + v + w}; }
 
-inline Vec2<std::int64_t> grid_point(int cell) { return {2 * (cell % 3), 2 * (cell / 3)}; }
+/// The grid and the points around it, in integers: half a grid step is `refinement`.
+struct Grid {
+  int refinement;
 
-inline Vec2<std::int64_t> half_grid_point(int i) { return {i % side - 1, i / side - 1}; }
+  int side() const { return 6 * refinement + 1; }
+  Vec2<std::int64_t> vertex(int cell) const { return {2 * refinement * (cell % 3), 2 * refinement * (cell / 3)}; }
+  Vec2<std::int64_t> point(int i) const { return {i % side() - refinement, i / side() - refinement}; }
+};
 
 inline Point3 in_space(const Vec2<std::int64_t>& x, int w = 0) {
   return placed(static_cast<int>(x.u), static_cast<int>(x.v), w);
@@ -39,13 +54,13 @@ inline Point3 in_space(const Vec2<std::int64_t>& x, int w = 0) {
 /// Every segment between grid points, points included, and the grid edges that each meets.
 class PlaneSegments {
  public:
-  PlaneSegments() {
+  explicit PlaneSegments(const Grid& grid) : grid_(grid) {
     for (int a = 0; a < grid_points; ++a) {
       for (int b = a; b < grid_points; ++b) ends_.push_back({a, b});
     }
     for (int a = 0; a < grid_points; ++a) {
       for (int b = 0; b < grid_points; ++b) {
-        const Point3 p = in_space(grid_point(a)), q = in_space(grid_point(b));
+        const Point3 p = in_space(grid_.vertex(a)), q = in_space(grid_.vertex(b));
         for (std::size_t s = 0; s < ends_.size(); ++s) {
           meets_[a][b][s] = meets_by_caratheodory<std::int64_t>(segment(s), Segment{p, q});
         }
@@ -54,12 +69,13 @@ class PlaneSegments {
   }
   std::size_t size() const { return ends_.size(); }
   Segment segment(std::size_t s) const {
-    return {in_space(grid_point(ends_[s][0])), in_space(grid_point(ends_[s][1]))};
+    return {in_space(grid_.vertex(ends_[s][0])), in_space(grid_.vertex(ends_[s][1]))};
   }
   int source(std::size_t s) const { return ends_[s][0]; }
   bool meets(std::size_t s, int a, int b) const { return meets_[a][b][s]; }
 
  private:
+  Grid grid_;
   std::vector<std::array<int, 2>> ends_;
   bool meets_[grid_points][grid_points][plane_segments]{};
 };
@@ -71,16 +87,19 @@ inline Segment piercing(const Vec2<std::int64_t>& x, int turn) {
   return turn % 3 == 0 ? Segment{p, q} : turn % 3 == 1 ? Segment{at, q} : Segment{p, at};
 }
 
-/// Every ring of n grid points whose first is its lowest.
+/// Every ring of n grid points that starts so.
 template <class Visit>
-void for_each_ring(int n, const Visit& visit) {
+void for_each_ring(int n, Start start, const Visit& visit) {
   Cells ring(static_cast<std::size_t>(n));
   for (int first = 0; first < grid_points; ++first) {
-    ring.assign(ring.size(), first);
+    if (start == Start::centre && first != centre) continue;
+    const int lowest = start == Start::lowest ? first : 0;
+    ring.assign(ring.size(), lowest);
+    ring[0] = first;
     while (true) {
       visit(ring);
       std::size_t i = ring.size();
-      while (--i > 0 && ring[i] == grid_points - 1) ring[i] = first;
+      while (--i > 0 && ring[i] == grid_points - 1) ring[i] = lowest;
       if (i == 0) break;
       ++ring[i];
     }
@@ -89,20 +108,22 @@ void for_each_ring(int n, const Visit& visit) {
 
 class Scope {
  public:
+  explicit Scope(int refinement) : grid_{refinement}, segments_(grid_) {}
+
   /// One polygon, asked in full. `subject(polygon)` gives the function that answers segments.
   template <class Subject>
   void ask(const std::vector<Cells>& rings, const Subject& subject) {
     place(rings);
     ++report.polygons;
     const auto answer = subject(static_cast<const Polygon&>(Polygon(polygon_)));
-    for (int i = 0; i < piercing_points; ++i) {
-      const Vec2<std::int64_t> x = half_grid_point(i);
+    for (int i = 0; i < grid_.side() * grid_.side(); ++i) {
+      const Vec2<std::int64_t> x = grid_.point(i);
       const int turn = i + static_cast<int>(report.polygons % 3);
       count(answer(piercing(x, turn)), see(rings, x) || inside());
     }
     std::array<bool, grid_points> start_inside;
     for (int c = 0; c < grid_points; ++c)
-      start_inside[static_cast<std::size_t>(c)] = !see(rings, grid_point(c)) && inside();
+      start_inside[static_cast<std::size_t>(c)] = !see(rings, grid_.vertex(c)) && inside();
     for (std::size_t s = 0; s < segments_.size(); ++s) {
       const bool meets = start_inside[static_cast<std::size_t>(segments_.source(s))] || meets_edge(rings, s);
       count(answer(segments_.segment(s)), meets);
@@ -116,7 +137,7 @@ class Scope {
     polygon_.vertices.clear();
     polygon_.ends.clear();
     for (const Cells& ring : rings) {
-      for (const int cell : ring) polygon_.vertices.push_back(in_space(grid_point(cell)));
+      for (const int cell : ring) polygon_.vertices.push_back(in_space(grid_.vertex(cell)));
       polygon_.ends.push_back(polygon_.vertices.size());
     }
   }
@@ -125,7 +146,7 @@ class Scope {
   bool see(const std::vector<Cells>& rings, const Vec2<std::int64_t>& x) {
     seen_.clear();
     const auto seen = [&](int cell) {
-      const Vec2<std::int64_t> v = grid_point(cell);
+      const Vec2<std::int64_t> v = grid_.vertex(cell);
       return Vec2<std::int64_t>{v.u - x.u, v.v - x.v};
     };
     for (const Cells& ring : rings) {
@@ -161,6 +182,7 @@ class Scope {
     report.different += answered != meets;
   }
 
+  Grid grid_;
   PlaneSegments segments_;
   PolygonData polygon_;
   std::vector<SeenEdge<std::int64_t>> seen_;
@@ -168,12 +190,13 @@ class Scope {
 
 }  // namespace small_scope_detail
 
-/// All rings of 3 … most vertices.
+/// All rings of 3 vertices and more.
 template <class Subject>
-PolygonScope exhaust_rings(const Subject& subject, int most = 6) {
-  small_scope_detail::Scope scope;
-  for (int n = 3; n <= most; ++n) {
-    small_scope_detail::for_each_ring(n, [&](const small_scope_detail::Cells& ring) { scope.ask({ring}, subject); });
+PolygonScope exhaust_rings(const Subject& subject, const RingScope& rings = {}) {
+  small_scope_detail::Scope scope(rings.refinement);
+  for (int n = 3; n <= rings.most_vertices; ++n) {
+    small_scope_detail::for_each_ring(n, rings.start,
+                                      [&](const small_scope_detail::Cells& ring) { scope.ask({ring}, subject); });
   }
   return scope.report;
 }
@@ -182,8 +205,8 @@ PolygonScope exhaust_rings(const Subject& subject, int most = 6) {
 template <class Subject>
 PolygonScope exhaust_holes(const Subject& subject, std::uint64_t most = UINT64_MAX) {
   using small_scope_detail::grid_points;
-  small_scope_detail::Scope scope;
-  small_scope_detail::for_each_ring(4, [&](const small_scope_detail::Cells& ring) {
+  small_scope_detail::Scope scope(1);
+  small_scope_detail::for_each_ring(4, Start::lowest, [&](const small_scope_detail::Cells& ring) {
     for (int a = 0; a < grid_points; ++a) {
       for (int b = a + 1; b < grid_points; ++b) {
         for (int c = b + 1; c < grid_points; ++c) {

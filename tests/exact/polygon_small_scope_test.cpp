@@ -9,6 +9,7 @@ namespace {
 
 using IntegerKernel = FormulaKernel<std::int64_t>;
 constexpr IntegerKernel k;
+constexpr RingScope few{.most_vertices = 4};
 
 /// The prepared form, which must also call every polygon of the scope planar.
 constexpr auto prepared = [](const Polygon& polygon) {
@@ -37,7 +38,16 @@ TEST(PolygonSmallScope, AllQuadrilateralsWithTriangularHoles) {
   EXPECT_EQ(scope.contradictions, 0U);
 }
 
-TEST(PolygonSmallScope, OnTheFly) { EXPECT_EQ(exhaust_rings(on_the_fly, 5).different, 0U); }
+/// From the centre the covering may turn more than once around its first vertex, and overlap within a third of a step.
+TEST(PolygonSmallScope, RingsFromTheCentre) {
+  const PolygonScope scope = exhaust_rings(prepared, {.most_vertices = 5, .start = Start::centre, .refinement = 3});
+  EXPECT_EQ(scope.polygons, 81U + 729U + 6'561U);
+  EXPECT_EQ(scope.queries, scope.polygons * (19 * 19 + 45));
+  EXPECT_EQ(scope.different, 0U);
+  EXPECT_EQ(scope.contradictions, 0U);
+}
+
+TEST(PolygonSmallScope, OnTheFly) { EXPECT_EQ(exhaust_rings(on_the_fly, {.most_vertices = 5}).different, 0U); }
 
 /// Figure 1 with another weight for the triangles passed; probes that meet the boundary or lie in the plane are
 /// answered rightly.
@@ -62,29 +72,29 @@ auto weighed(const Weight& weight) {
 
 TEST(PolygonPlantedBugs, TheRightWeightIsRight) {
   const auto subject = weighed([](const Passage& p) { return halves(p.location(), p.direction()); });
-  EXPECT_EQ(exhaust_rings(subject, 4).different, 0U);
+  EXPECT_EQ(exhaust_rings(subject, few).different, 0U);
 }
 
 TEST(PolygonPlantedBugs, InternalEdgesCountedWhole) {
   const auto subject = weighed([](const Passage& p) { return 2 * value(p.direction()); });
-  EXPECT_GT(exhaust_rings(subject, 4).different, 0U);
+  EXPECT_GT(exhaust_rings(subject, few).different, 0U);
 }
 
 TEST(PolygonPlantedBugs, InternalEdgesNotCounted) {
   const auto subject =
       weighed([](const Passage& p) { return p.location() == Location::internal_edge ? 0 : 2 * value(p.direction()); });
-  EXPECT_GT(exhaust_rings(subject, 4).different, 0U);
+  EXPECT_GT(exhaust_rings(subject, few).different, 0U);
 }
 
 TEST(PolygonPlantedBugs, DirectionForgotten) {
   const auto subject = weighed([](const Passage& p) { return std::abs(halves(p.location(), p.direction())); });
-  EXPECT_GT(exhaust_rings(subject, 4).different, 0U);
+  EXPECT_GT(exhaust_rings(subject, few).different, 0U);
 }
 
 /// A repeated or flat vertex makes a triangle without area; it must not count.
 TEST(PolygonPlantedBugs, FlatTrianglesCounted) {
   const auto subject = weighed([](const Passage& p) { return p.edge_on() ? 1 : halves(p.location(), p.direction()); });
-  EXPECT_GT(exhaust_rings(subject, 4).different, 0U);
+  EXPECT_GT(exhaust_rings(subject, few).different, 0U);
 }
 
 /// A probe that meets a hole's edge, and not the outer ring, taken for a miss.
@@ -107,7 +117,7 @@ TEST(PolygonPlantedBugs, ProbesInThePlaneMissed) {
       return c.plane && !sides_of(c.plane->triangle, s, k).in_plane() && segura_feito(s, c, k).answer.hit;
     };
   };
-  EXPECT_GT(exhaust_rings(subject, 4).different, 0U);
+  EXPECT_GT(exhaust_rings(subject, few).different, 0U);
 }
 
 }  // namespace
