@@ -33,19 +33,28 @@ const Method& method_of(const C& c, const std::string& given, const std::string&
   return *method;
 }
 
-void take_class(Case& c, const Truth& truth) { c.class_id = truth.class_id; }
+Case shrunk(Case c, const Method& method) {
+  const Truth before = exact_truth(c.query);
+  if (judge(method, before, method.ask(c.query)) != Judgement::wrong) {
+    throw Failure(Exit::bad_input, c.id + ": " + method.name + " answers it rightly, expected a counterexample");
+  }
+  c.query = shrink(method, c.query, c.format);
+  const Truth truth = exact_truth(c.query);
+  c.expect = truth.hit();
+  c.class_id = truth.class_id;
+  const Json origin = c.finding.is_object() ? c.finding.value("origin", Json()) : Json();
+  c.finding = finding_of(method, c.query, truth);
+  if (!origin.is_null()) c.finding["origin"] = origin;
+  return c;
+}
 
-void take_class(PolygonCase&, const PolygonTruth&) {}
-
-template <class C>
-C shrunk(C c, const Method& method) {
+PolygonCase shrunk(PolygonCase c, const Method& method) {
   if (judge(method, exact_truth(c.query), method.ask(c.query)) != Judgement::wrong) {
     throw Failure(Exit::bad_input, c.id + ": " + method.name + " answers it rightly, expected a counterexample");
   }
   c.query = shrink(method, c.query, c.format);
-  const auto truth = exact_truth(c.query);
+  const PolygonTruth truth = exact_truth(c.query);
   c.expect = truth.hit();
-  take_class(c, truth);
   const Json origin = c.finding.is_object() ? c.finding.value("origin", Json()) : Json();
   c.finding = finding_of(method, c.query, truth);
   if (!origin.is_null()) c.finding["origin"] = origin;

@@ -41,21 +41,6 @@ Generators<N> differences(const Ray& r, const Triangle& t) {
   return {{lift<N>(t.a) - o, lift<N>(t.b) - o, lift<N>(t.c) - o, zero - d, zero, zero}, 3, 4};
 }
 
-/// The same for the segment ab in place of the triangle.
-template <class N>
-Generators<N> differences(const Segment& s, const Segment& ab) {
-  const Vec3<N> p = lift<N>(s.p), q = lift<N>(s.q), a = lift<N>(ab.p), b = lift<N>(ab.q);
-  const Vec3<N> zero = p - p;
-  return {{a - p, b - p, a - q, b - q, zero, zero}, 4, 4};
-}
-
-template <class N>
-Generators<N> differences(const Ray& r, const Segment& ab) {
-  const Vec3<N> o = lift<N>(r.o), d = lift<N>(r.d.v);
-  const Vec3<N> zero = o - o;
-  return {{lift<N>(ab.p) - o, lift<N>(ab.q) - o, zero - d, zero, zero, zero}, 2, 3};
-}
-
 namespace caratheodory_detail {
 
 template <class N>
@@ -145,10 +130,12 @@ bool four(const Generators<N>& g, const Determinants& det, int i, int j, int k, 
 
 }  // namespace caratheodory_detail
 
-/// Whether the origin lies in the hull, over all subsets; there is no early way out but success, which is the point.
-template <class N>
-bool holds_origin(const Generators<N>& g) {
+/// Whether the closed probe and the closed triangle meet. N must be exact for these operands. Cost: 20 determinants,
+/// and cross products where some of them vanish; there is no early way out, which is the point.
+template <class N, class P>
+bool meets_by_caratheodory(const P& probe, const Triangle& t) {
   namespace detail = caratheodory_detail;
+  const Generators<N> g = differences<N>(probe, t);
   const detail::Determinants det(g);
   for (int i = 0; i < g.size; ++i) {
     if (detail::one(g, i)) return true;
@@ -163,13 +150,6 @@ bool holds_origin(const Generators<N>& g) {
     }
   }
   return false;
-}
-
-/// Whether the closed probe and the closed triangle, or the closed segment, meet. N must be exact for these operands.
-/// Cost for a triangle: 20 determinants, and cross products where some of them vanish.
-template <class N, class P, class Target>
-bool meets_by_caratheodory(const P& probe, const Target& target) {
-  return holds_origin(differences<N>(probe, target));
 }
 
 }  // namespace tribunal

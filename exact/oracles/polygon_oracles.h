@@ -90,7 +90,7 @@ bool meets_boundary(const P& probe, const Polygon& polygon) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Point3& a = ring[i];
       const Point3& b = ring[(i + 1) % ring.size()];
-      if (meets_by_caratheodory<N>(probe, Segment{a, b})) return true;
+      if (meets_by_caratheodory<N>(probe, Triangle{a, b, b})) return true;
     }
   }
   return false;

@@ -62,7 +62,7 @@ class PlaneSegments {
       for (int b = 0; b < grid_points; ++b) {
         const Point3 p = in_space(grid_.vertex(a)), q = in_space(grid_.vertex(b));
         for (std::size_t s = 0; s < ends_.size(); ++s) {
-          meets_[a][b][s] = meets_by_caratheodory<std::int64_t>(segment(s), Segment{p, q});
+          meets_[a][b][s] = meets_by_caratheodory<std::int64_t>(segment(s), Triangle{p, q, q});
         }
       }
     }
