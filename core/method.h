@@ -1,6 +1,7 @@
 // A method: one intersection test under trial, with what it promises.
 #pragma once
 
+#include <concepts>
 #include <functional>
 #include <span>
 #include <string>
@@ -10,10 +11,23 @@
 
 #include "core/answer.h"
 #include "core/format.h"
+#include "core/polygon.h"
 #include "core/query.h"
 #include "core/sign.h"
 
 namespace tribunal {
+
+/// A method's answers about one polygon, which it may have prepared. Views the polygon, which must outlive it.
+struct PreparedPolygon {
+  std::function<PolygonAnswer(const Segment&)> segment;
+  std::function<PolygonAnswer(const Ray&)> ray;
+};
+
+/// What a method promises of polygons, beside its convention.
+struct PolygonPromise {
+  bool boundary = true;  ///< false: it may answer either way where a probe meets a ring edge
+  bool surface = true;   ///< false: it promises nothing of polygons that are not planar
+};
 
 /// Fuzz, certify, render and chart take methods by name and know nothing else about them.
 struct Method {
@@ -38,10 +52,25 @@ struct Method {
   /// The operands are finite.
   std::function<void(std::span<const Query>, std::span<Answer>)> batch{};
 
+  /// Its test of polygons with at least one vertex and finite coordinates; empty if it takes none.
+  std::function<PreparedPolygon(const Polygon&)> polygon{};
+  PolygonPromise polygon_promise{};
+
   /// The answer to a query. A non-finite operand never reaches the test.
   Answer ask(const Query& query) const {
     if (!is_finite(query.triangle)) return refusal(Status::nonfinite);
     return std::visit([&](const auto& probe) { return ask(probe, query.triangle); }, query.probe);
+  }
+
+  /// The same about a polygon. A template only so that `ask({probe, triangle})` stays unambiguous.
+  template <std::same_as<PolygonQuery> Q>
+  PolygonAnswer ask(const Q& query) const {
+    const bool finite = std::visit([](const auto& probe) { return is_finite(probe); }, query.probe);
+    if (!finite || !is_finite(query.polygon)) return {.answer = refusal(Status::nonfinite)};
+    if (!polygon || query.polygon.vertices.empty()) return {.answer = refusal(Status::unsupported)};
+    const PreparedPolygon prepared = polygon(query.polygon);
+    if (const auto* s = std::get_if<Segment>(&query.probe)) return prepared.segment(*s);
+    return prepared.ray(std::get<Ray>(query.probe));
   }
 
  private:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/polygon_rivals.h"
 #include "core/rivals.h"
 #include "exact/filtered/filtered_method.h"
 #include "exact/io/failure.h"
@@ -25,6 +26,10 @@ std::deque<Method>& table() {
       sf_rational(),
       moeller_trumbore_float(),
       moeller_trumbore_double(),
+      haines_float(),
+      haines_double(),
+      feito_float(),
+      feito_double(),
       cgal_epick(),
       cgal_epeck(),
   };

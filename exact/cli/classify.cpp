@@ -1,8 +1,8 @@
 #include <memory>
 
 #include "exact/cli/command.h"
-#include "exact/io/case_io.h"
 #include "exact/io/files.h"
+#include "exact/io/polygon_case_io.h"
 
 namespace tribunal {
 namespace {
@@ -17,13 +17,16 @@ Answer answer_to(const Method& method, const Query& query) {
   return segment != nullptr && method.classify ? method.classify(*segment, query.triangle) : method.ask(query);
 }
 
+PolygonAnswer answer_to(const Method& method, const PolygonQuery& query) { return method.ask(query); }
+
 int run(const Options& o) {
   const std::vector<Method> methods = methods_named(o.methods);
   require_different(o.in, o.out);
   std::string lines;
-  for (const Case& c : read_cases(o.in)) {
+  const auto answer = [&](const auto& c) {
     for (const Method& m : methods) lines += from_answer(c.id, m, answer_to(m, c.query)).dump() + "\n";
-  }
+  };
+  for (const AnyCase& c : read_any_cases(o.in)) std::visit(answer, c);
   write_file(o.out, lines);
   return 0;
 }

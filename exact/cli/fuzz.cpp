@@ -4,6 +4,7 @@
 
 #include "exact/classes/class_table.h"
 #include "exact/cli/command.h"
+#include "exact/cli/fuzz_polygons.h"
 #include "exact/cli/fuzz_relations.h"
 #include "exact/harness/checkpoint.h"
 #include "exact/harness/counterexample.h"
@@ -26,14 +27,18 @@ struct Options {
   bool levels = false, relations = false, resume = false;
 };
 
-FuzzPlan plan_of(const Options& o) {
+std::uint64_t cases_of(const Options& o) {
   constexpr std::uint64_t default_cases = 500'000, no_limit = std::uint64_t{1} << 40;
+  return o.count > 0 ? o.count : o.seconds > 0 ? no_limit : default_cases;
+}
+
+FuzzPlan plan_of(const Options& o) {
   FuzzPlan plan;
   plan.methods = methods_named(o.methods);
   plan.streams = streams_named(o.families);
   plan.seed = o.seed;
   plan.seconds = o.seconds;
-  plan.cases = o.count > 0 ? o.count : o.seconds > 0 ? no_limit : default_cases;
+  plan.cases = cases_of(o);
   plan.threads = o.threads;
   return plan;
 }
@@ -165,7 +170,22 @@ void write_findings(const Options& o, const FuzzPlan& plan, const FuzzReport& re
         (cases.empty() ? "" : "; `tribunal replay` shows them") + "\n");
 }
 
+PolygonFuzzPlan polygon_plan_of(const Options& o, std::vector<PolygonStream> streams) {
+  if (o.relations || o.resume) throw Failure(Exit::usage, "polygon families know no --relations and no --resume yet");
+  PolygonFuzzPlan plan;
+  plan.methods = methods_named(o.methods);
+  plan.streams = std::move(streams);
+  plan.seed = o.seed;
+  plan.seconds = o.seconds;
+  plan.cases = cases_of(o);
+  plan.threads = o.threads;
+  return plan;
+}
+
 int run(const Options& o) {
+  if (const auto streams = polygon_streams_named(o.families); !streams.empty()) {
+    return run_polygons(polygon_plan_of(o, streams), o.out, o.keep, o.levels);
+  }
   const FuzzPlan plan = plan_of(o);
   if (o.relations) return run_relations(plan, o.out);
   watch_interrupts();  // from here on a signal leaves a checkpoint

@@ -6,22 +6,26 @@
 #include "exact/io/failure.h"
 #include "exact/io/files.h"
 #include "exact/methods.h"
+#include "exact/polygon/fuzz.h"
+#include "exact/polygon/shrink.h"
 
 namespace tribunal {
 namespace {
 
 int run_replay(const std::string& file) {
   bool any_wrong = false;
-  for (const Case& c : read_cases(file)) {
+  const auto show = [&](const auto& c) {
     bool wrong = false;
     print(replay(c, wrong) + "\n");
     any_wrong |= wrong;
-  }
+  };
+  for (const AnyCase& c : read_any_cases(file)) std::visit(show, c);
   return code(any_wrong ? Exit::disagreement : Exit::ok);
 }
 
 /// The method that a case is a counterexample to: named in its finding, or given.
-const Method& method_of(const Case& c, const std::string& given, const std::string& file) {
+template <class C>
+const Method& method_of(const C& c, const std::string& given, const std::string& file) {
   const std::string name = !given.empty() ? given : c.finding.is_object() ? c.finding.value("method", "") : "";
   if (name.empty()) throw Failure(Exit::usage, file + ": " + c.id + " names no method, expected --method");
   const Method* method = find_method(name);
@@ -41,11 +45,25 @@ Case shrunk(Case c, const Method& method) {
   return c;
 }
 
+PolygonCase shrunk(PolygonCase c, const Method& method) {
+  if (judge(method, exact_truth(c.query), method.ask(c.query)) != Judgement::wrong) {
+    throw Failure(Exit::bad_input, c.id + ": " + method.name + " answers it rightly, expected a counterexample");
+  }
+  c.query = shrink(method, c.query, c.format);
+  const PolygonTruth truth = exact_truth(c.query);
+  c.expect = truth.hit();
+  const Json origin = c.finding.is_object() ? c.finding.value("origin", Json()) : Json();
+  c.finding = finding_of(method, c.query, truth);
+  if (!origin.is_null()) c.finding["origin"] = origin;
+  return c;
+}
+
 int run_shrink(const std::string& file, const std::string& method, const std::string& out) {
   require_different(file, out);
-  std::vector<Case> cases;
-  for (const Case& c : read_cases(file)) cases.push_back(shrunk(c, method_of(c, method, file)));
-  write_file(out, to_lines(cases));
+  std::string lines;
+  const auto add = [&](const auto& c) { lines += from_case(shrunk(c, method_of(c, method, file))).dump() + "\n"; };
+  for (const AnyCase& c : read_any_cases(file)) std::visit(add, c);
+  write_file(out, lines);
   return 0;
 }
 

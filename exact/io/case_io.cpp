@@ -1,6 +1,7 @@
 #include "exact/io/case_io.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "exact/classes/class_table.h"
 #include "exact/io/failure.h"
@@ -75,31 +76,45 @@ bool is_blank(std::string_view line) { return line.find_first_not_of(" \t\r") ==
 
 }  // namespace
 
+CaseHead to_case_head(const Json& object, const Where& where) {
+  CaseHead head;
+  head.id = to_text(object, "id", where);
+  head.format = to_format(object, where);
+  head.probe = to_probe(object, head.format, where);
+  head.expect = to_expectation(object, where);
+  if (object.contains("source")) head.source = to_text(object, "source", where);
+  if (object.contains("finding")) head.finding = object["finding"];
+  return head;
+}
+
 Case to_case(const Json& object, const Where& where) {
   require_keys(object, {"id", "fmt", "seg", "ray", "tri", "rings", "expect", "class", "source", "finding"}, where);
-  if (object.contains("rings")) where.key("rings").fail("polygons are not supported yet, expected \"tri\"");
-  Case c;
-  c.id = to_text(object, "id", where);
-  c.format = to_format(object, where);
-  c.query.probe = to_probe(object, c.format, where);
-  c.query.triangle = to_triangle(require(object, "tri", where), c.format, where.key("tri"));
-  c.expect = to_expectation(object, where);
-  c.class_id = to_class(object, where);
-  if (object.contains("source")) c.source = to_text(object, "source", where);
-  if (object.contains("finding")) c.finding = object["finding"];
-  return c;
+  if (object.contains("rings")) where.key("rings").fail("this command takes triangles only, expected \"tri\"");
+  CaseHead head = to_case_head(object, where);
+  const Triangle triangle = to_triangle(require(object, "tri", where), head.format, where.key("tri"));
+  return {.id = std::move(head.id),
+          .format = head.format,
+          .query = {head.probe, triangle},
+          .expect = head.expect,
+          .class_id = to_class(object, where),
+          .source = std::move(head.source),
+          .finding = std::move(head.finding)};
+}
+
+void add_probe(Json& object, const Probe& probe) {
+  if (const auto* s = std::get_if<Segment>(&probe)) {
+    object["seg"] = {from_point(s->p), from_point(s->q)};
+  } else {
+    const Ray& r = std::get<Ray>(probe);
+    object["ray"] = {{"o", from_point(r.o)}, {"d", from_point(r.d.v)}};
+  }
 }
 
 Json from_case(const Case& c) {
   Json object;
   object["id"] = c.id;
   object["fmt"] = name_of(c.format);
-  if (const auto* s = std::get_if<Segment>(&c.query.probe)) {
-    object["seg"] = {from_point(s->p), from_point(s->q)};
-  } else {
-    const Ray& r = std::get<Ray>(c.query.probe);
-    object["ray"] = {{"o", from_point(r.o)}, {"d", from_point(r.d.v)}};
-  }
+  add_probe(object, c.query.probe);
   const Triangle& t = c.query.triangle;
   object["tri"] = {from_point(t.a), from_point(t.b), from_point(t.c)};
   if (c.expect) object["expect"] = *c.expect ? 1 : 0;

@@ -22,6 +22,21 @@ struct Case {
   Json finding{};  ///< what a counterexample adds: carried along, not interpreted
 };
 
+/// What cases have in common, whatever their probe is held against.
+struct CaseHead {
+  std::string id;
+  Format format;
+  Probe probe;
+  std::optional<bool> expect;
+  std::string source;
+  Json finding;
+};
+
+CaseHead to_case_head(const Json& object, const Where& where);
+
+/// "seg" or "ray".
+void add_probe(Json& object, const Probe& probe);
+
 /// One case. A key that the format does not have is an error.
 Case to_case(const Json& object, const Where& where);
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/method.h"
-#include "core/segura_feito.h"
+#include "core/segura_feito_polygon.h"
 #include "exact/classes/class_table.h"
 
 namespace tribunal {
@@ -33,11 +33,19 @@ Answer classify(const Segment& s, const Triangle& t, const K& k) {
   return answer;
 }
 
+/// With the covering prepared.
+template <Kernel K>
+PreparedPolygon prepare(const Polygon& polygon, const K& k) {
+  const Covering c = cover(polygon, k);
+  return {.segment = [c, k](const Segment& s) { return segura_feito(s, c, k); },
+          .ray = [c, k](const Ray& r) { return segura_feito(r, c, k); }};
+}
+
 template <Kernel K>
 Method segura_feito_method(const KernelDescription& d, const K& k) {
   return {.name = d.name,
           .number = d.number,
-          .contract = "segment, ray; any triangle",
+          .contract = "segment, ray; any triangle, any polygon",
           .summary = d.summary,
           .reference = "Segura & Feito 1998, 2001",
           .convention = Convention::closed,
@@ -46,7 +54,8 @@ Method segura_feito_method(const KernelDescription& d, const K& k) {
           .segment = [k](const Segment& s, const Triangle& t) { return segura_feito(s, t, k); },
           .ray = [k](const Ray& r, const Triangle& t) { return segura_feito(r, t, k); },
           .classify = [k](const Segment& s, const Triangle& t) { return classify(s, t, k); },
-          .compare_hits = [k](const Ray& r, const Triangle& s, const Triangle& t) { return k.compare_hits(r, s, t); }};
+          .compare_hits = [k](const Ray& r, const Triangle& s, const Triangle& t) { return k.compare_hits(r, s, t); },
+          .polygon = [k](const Polygon& polygon) { return prepare(polygon, k); }};
 }
 
 }  // namespace tribunal

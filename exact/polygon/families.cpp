@@ -1,0 +1,273 @@
+// The families of polygon cases.
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "exact/families/affine.h"
+#include "exact/families/shapes.h"
+#include "exact/families/ulp.h"
+#include "exact/polygon/family.h"
+
+namespace tribunal {
+namespace {
+
+/// Coordinates before the map are at most 20 in the plane and 3 across it, so their images stay below 43·2^bits.
+constexpr int fills_64[] = {4, 16, 20, 30, 40, 47};
+constexpr int fills_32[] = {2, 4, 8, 12, 16, 18};
+constexpr auto fills = by_format<fills_64, fills_32>;
+
+constexpr int ulps[] = {1, 2, 8, 64, 1024};
+std::span<const int> ulp_levels(Format) { return ulps; }
+
+constexpr int vertex_counts[] = {3, 4, 6, 8, 16, 64};
+std::span<const int> count_levels(Format) { return vertex_counts; }
+
+constexpr int scales_64[] = {-1074, -1022, -537, -400, -359, 0, 338, 341, 400, 1015};
+constexpr int scales_32[] = {-149, -126, -75, -50, 0, 41, 42, 100, 119};
+constexpr auto scales = by_format<scales_64, scales_32>;
+
+struct Lattice3 {
+  std::int64_t x[3];
+};
+
+Point3 image(const AffineMap& map, const Lattice3& p) {
+  Point3 y;
+  for (int i = 0; i < 3; ++i) {
+    const auto row = static_cast<std::size_t>(i);
+    std::int64_t sum = map.offset[row];
+    for (std::size_t j = 0; j < 3; ++j) sum += map.m[row][j] * p.x[j];
+    y[i] = std::ldexp(static_cast<double>(sum), map.scale[row]);
+  }
+  return y;
+}
+
+/// A map with entries of `bits` bits and half of the time an offset within what 43·2^bits leaves of the format.
+AffineMap draw_polygon_map(Draw& draw, Format format, int bits) {
+  AffineMap map = draw_map(draw, bits);
+  const bool with_offset = draw.below(2) == 0;
+  const std::int64_t room = (std::int64_t{1} << digits_of(format)) - 43 * (std::int64_t{1} << bits);
+  for (std::int64_t& o : map.offset) o = with_offset ? draw.between(-room, room) : 0;
+  return map;
+}
+
+PolygonData image(const AffineMap& map, std::span<const PlaneRing> rings) {
+  PolygonData polygon;
+  for (const PlaneRing& ring : rings) {
+    for (const PlanePoint& v : ring) polygon.vertices.push_back(image(map, {{v.u, v.v, 0}}));
+    polygon.ends.push_back(polygon.vertices.size());
+  }
+  return polygon;
+}
+
+Direction difference(const Point3& from, const Point3& to) { return {to - from}; }
+
+/// The segment, or one time in four the ray from its source through its target where that direction is exact.
+Probe draw_probe(Draw& draw, Format format, const Segment& s) {
+  const bool as_ray = draw.below(4) == 0;
+  const Direction d = difference(s.p, s.q);
+  const bool exact = is_exact_in(d.v, format) && s.p + d.v == s.q && s.q - d.v == s.p;
+  if (as_ray && exact) return Ray{s.p, d};
+  return s;
+}
+
+/// Through, from or to (x, 0), along a random direction that leaves the plane.
+Segment draw_piercing(Draw& draw, const AffineMap& map, const PlanePoint& x, Approach approach) {
+  const std::int64_t du = draw.between(-2, 2);
+  const std::int64_t dv = draw.between(-2, 2);
+  const std::int64_t up = draw.between(1, 3);
+  const std::int64_t down = draw.between(1, 3);
+  const Point3 at = image(map, {{x.u, x.v, 0}});
+  const Point3 above = image(map, {{x.u + du * up, x.v + dv * up, up}});
+  const Point3 below = image(map, {{x.u - du * down, x.v - dv * down, -down}});
+  const bool flip = draw.below(2) == 0;
+  const Point3 &near_end = flip ? below : above, &far_end = flip ? above : below;
+  if (approach == Approach::through) return {near_end, far_end};
+  return approach == Approach::from ? Segment{at, far_end} : Segment{near_end, at};
+}
+
+/// The shapes, places and approaches in turn. A place that the shape does not have gives way to the next that it has.
+Known known_of(std::uint64_t k) {
+  Known known{k % shape_count, static_cast<PolygonPlace>(k / shape_count % place_count),
+              static_cast<Approach>(k % approach_count)};
+  const Places& places = places_of(all_shapes()[known.shape]);
+  auto place = static_cast<std::size_t>(known.place);
+  while (places[place].empty()) place = (place + 1) % place_count;
+  known.place = static_cast<PolygonPlace>(place);
+  return known;
+}
+
+PolygonTrial affine_trial(Format format, Draw& draw, std::uint64_t k, const AffineMap& map, std::size_t level) {
+  const Known known = known_of(k);
+  const Shape& shape = all_shapes()[known.shape];
+  const auto& candidates = places_of(shape)[static_cast<std::size_t>(known.place)];
+  const PlanePoint x = candidates[draw.below(candidates.size())];
+  const Segment s = draw_piercing(draw, map, x, known.approach);
+  const Probe probe = draw_probe(draw, format, s);
+  return {.query = {probe, image(map, shape.rings)},
+          .format = format,
+          .level = static_cast<std::uint16_t>(level),
+          .known = known};
+}
+
+PolygonTrial make_affine(Format format, std::uint64_t seed, std::uint64_t k) {
+  Draw draw(101, seed, k);
+  const std::size_t level = k / (shape_count * place_count) % fills(format).size();
+  const AffineMap map = draw_polygon_map(draw, format, fills(format)[level]);
+  return affine_trial(format, draw, k, map, level);
+}
+
+PolygonTrial make_scale(Format format, std::uint64_t seed, std::uint64_t k) {
+  Draw draw(102, seed, k);
+  const std::size_t level = k / (shape_count * place_count) % scales(format).size();
+  AffineMap map = draw_map(draw, 0);
+  const bool per_axis = draw.below(2) == 0;
+  for (int& s : map.scale) s = scales(format)[per_axis ? draw.below(scales(format).size()) : level];
+  return affine_trial(format, draw, k, map, level);
+}
+
+PolygonTrial make_ulp(Format format, std::uint64_t seed, std::uint64_t k) {
+  Draw draw(103, seed, k);
+  const std::size_t level = k / (shape_count * place_count) % ulp_levels(format).size();
+  const int bits = fills(format)[draw.below(fills(format).size())];
+  const AffineMap map = draw_polygon_map(draw, format, bits);
+  PolygonTrial trial = affine_trial(format, draw, k, map, level);
+  trial.known.reset();
+  std::vector<Point3>& vertices = trial.query.polygon.vertices;
+  auto* s = std::get_if<Segment>(&trial.query.probe);
+  const std::uint64_t moved = draw.below(vertices.size() + 2);
+  Point3& v = moved < vertices.size()    ? vertices[moved]
+              : s == nullptr             ? std::get<Ray>(trial.query.probe).o
+              : moved == vertices.size() ? s->p
+                                         : s->q;
+  const auto axis = static_cast<int>(draw.below(3));
+  const std::int64_t by = draw.below(2) == 0 ? ulps[level] : -ulps[level];
+  v[axis] = moved_by_ulps(v[axis], by, format);
+  return trial;
+}
+
+/// Both ends in the plane, at integer points around the shape.
+PolygonTrial make_in_plane(Format format, std::uint64_t seed, std::uint64_t k) {
+  Draw draw(104, seed, k);
+  const std::size_t level = k / shape_count % fills(format).size();
+  const AffineMap map = draw_polygon_map(draw, format, fills(format)[level]);
+  const Shape& shape = all_shapes()[k % shape_count];
+  std::int64_t end[4];
+  for (std::int64_t& e : end) e = draw.between(-2, 14);
+  const bool point = draw.below(8) == 0;
+  const Point3 p = image(map, {{end[0], end[1], 0}});
+  const Point3 q = point ? p : image(map, {{end[2], end[3], 0}});
+  return {.query = {draw_probe(draw, format, {p, q}), image(map, shape.rings)},
+          .format = format,
+          .level = static_cast<std::uint16_t>(level)};
+}
+
+/// One to three rings of up to `count` vertices in all on a 5×5 grid.
+std::vector<PlaneRing> draw_grid_rings(Draw& draw, int count) {
+  std::vector<PlaneRing> rings(static_cast<std::size_t>(1 + draw.below(3)));
+  for (PlaneRing& ring : rings) {
+    const std::int64_t size = draw.between(1, std::max(1, count / static_cast<int>(rings.size())));
+    for (std::int64_t i = 0; i < size; ++i) {
+      const auto cell = static_cast<int>(draw.below(25));
+      ring.push_back({3 * (cell % 5), 3 * (cell / 5)});
+    }
+  }
+  return rings;
+}
+
+PolygonTrial make_grid(Format format, std::uint64_t seed, std::uint64_t k) {
+  Draw draw(105, seed, k);
+  const std::size_t level = k % count_levels(format).size();
+  const int bits = fills(format)[draw.below(fills(format).size())];
+  const AffineMap map = draw_polygon_map(draw, format, bits);
+  const auto rings = draw_grid_rings(draw, count_levels(format)[level]);
+  const PlanePoint x{static_cast<int>(draw.between(-1, 13)), static_cast<int>(draw.between(-1, 13))};
+  const auto approach = static_cast<Approach>(draw.below(approach_count));
+  const Segment s = draw_piercing(draw, map, x, approach);
+  return {.query = {draw_probe(draw, format, s), image(map, rings)},
+          .format = format,
+          .level = static_cast<std::uint16_t>(level)};
+}
+
+Lattice3 draw_lattice(Draw& draw, int side) {
+  Lattice3 p;
+  for (std::int64_t& x : p.x) x = draw.between(0, side);
+  return p;
+}
+
+/// Rings whose vertices are anywhere on {0..2}³, probes between points of {0..2}³: exact degeneracies, no plane.
+PolygonTrial make_warped(Format format, std::uint64_t seed, std::uint64_t k) {
+  Draw draw(106, seed, k);
+  const std::size_t level = k % fills(format).size();
+  const AffineMap map = draw_polygon_map(draw, format, fills(format)[level]);
+  PolygonData polygon;
+  const std::uint64_t rings = 1 + draw.below(2);
+  for (std::uint64_t r = 0; r < rings; ++r) {
+    const std::int64_t size = draw.between(1, 6);
+    for (std::int64_t i = 0; i < size; ++i) polygon.vertices.push_back(image(map, draw_lattice(draw, 2)));
+    polygon.ends.push_back(polygon.vertices.size());
+  }
+  const Point3 p = image(map, draw_lattice(draw, 2));
+  const Point3 q = image(map, draw_lattice(draw, 2));
+  return {.query = {draw_probe(draw, format, {p, q}), std::move(polygon)},
+          .format = format,
+          .level = static_cast<std::uint16_t>(level)};
+}
+
+/// A star-shaped ring in a random plane, each vertex rounded: planar as it comes from a modelling program. The probe
+/// aims at a vertex, a point of an edge or spoke, or anywhere near, as it rounds.
+PolygonTrial make_rounded(Format format, std::uint64_t seed, std::uint64_t k) {
+  Draw draw(107, seed, k);
+  const std::size_t level = k % count_levels(format).size();
+  const int n = count_levels(format)[level];
+  const Triangle frame = draw_triangle(draw, format);
+  const auto at = [&](double u, double v) {
+    return in_format(frame.a + u * (frame.b - frame.a) + v * (frame.c - frame.a), format);
+  };
+  PolygonData polygon;
+  for (int i = 0; i < n; ++i) {
+    const double angle = 2 * 3.141592653589793 * i / n;
+    const double radius = 0.75 + 0.25 * draw_real(draw, format);
+    polygon.vertices.push_back(at(radius * std::cos(angle), radius * std::sin(angle)));
+  }
+  polygon.ends.push_back(polygon.vertices.size());
+  const Point3& a = polygon.vertices[draw.below(polygon.vertices.size())];
+  const Point3& b = polygon.vertices[draw.below(polygon.vertices.size())];
+  const double along = 0.5 + 0.75 * draw_real(draw, format);
+  const std::uint64_t aim = draw.below(3);
+  const Point3 x = aim == 0 ? a : aim == 1 ? a + along * (b - a) : draw_in_plane(draw, format, frame);
+  const Point3 v = draw_point(draw, format);
+  const Segment s = through(x, v, v);
+  return {.query = {Segment{in_format(s.p, format), in_format(s.q, format)}, std::move(polygon)},
+          .format = format,
+          .level = static_cast<std::uint16_t>(level)};
+}
+
+}  // namespace
+
+std::span<const PolygonFamily> all_polygon_families() {
+  static constexpr PolygonFamily table[] = {
+      {"polygon-affine", "22 ring configurations, 26 kinds of place, with growing mantissa fill",
+       "exact affine images of the shapes", "bits of the map's entries", fills, make_affine},
+      {"polygon-scale", "underflow and overflow: the same from subnormals to the largest numbers",
+       "small images of the shapes, axes scaled by powers of two", "log2 of the scale", scales, make_scale},
+      {"polygon-ulp", "near-degeneracy: one coordinate some ulps off, so planar only up to rounding",
+       "affine images of the shapes, one coordinate moved", "units in the last place", ulp_levels, make_ulp},
+      {"polygon-in-plane", "probes in the plane of the polygon", "affine images of the shapes, probes in their plane",
+       "bits of the map's entries", fills, make_in_plane},
+      {"polygon-grid", "random rings on a grid, degenerate in every way", "exact affine images of rings on a 5x5 grid",
+       "vertices, at most", count_levels, make_grid},
+      {"polygon-warped", "rings that are not planar, exact degeneracies", "exact affine images of rings in {0,1,2}^3",
+       "bits of the map's entries", fills, make_warped},
+      {"polygon-rounded", "star-shaped rings planar up to rounding, aimed at vertices, edges and spokes",
+       "random rings in [-1,1]^3 as they round", "vertices", count_levels, make_rounded},
+  };
+  return table;
+}
+
+const PolygonFamily* find_polygon_family(std::string_view name) {
+  const auto families = all_polygon_families();
+  const auto found = std::ranges::find(families, name, &PolygonFamily::name);
+  return found == families.end() ? nullptr : &*found;
+}
+
+}  // namespace tribunal

@@ -1,0 +1,30 @@
+// Right or wrong: the exact answer to a polygon case, and a method's answer held against it.
+#pragma once
+
+#include "exact/harness/judge.h"
+#include "exact/polygon/family.h"
+
+namespace tribunal {
+
+/// The exact answer.
+struct PolygonTruth {
+  Contact contact = Contact::none;
+  bool planar = true;
+
+  bool hit() const { return contact != Contact::none; }
+};
+
+/// The exact answer by ways that must agree: the reference kernel's covering test, prepared and on the fly; for planar
+/// polygons, the point where the probe meets the plane, included by a generic ray and by half-open crossings; and the
+/// signed crossings of the covering surface, point by point. Ring edges are met by Carathéodory's theorem.
+/// Fails with Exit::oracles_contradict where two differ; there is no majority.
+PolygonTruth exact_truth(const PolygonQuery& query);
+
+/// exact_truth, which must also be what the trial's construction proves.
+PolygonTruth truth_of(const PolygonTrial& trial);
+
+/// By the method's own convention and promise: coplanar contacts are misses to a transversal method; boundary contacts
+/// and polygons that are not planar are not judged where the method promises nothing of them.
+Judgement judge(const Method& method, const PolygonTruth& truth, const PolygonAnswer& answer);
+
+}  // namespace tribunal

@@ -1,0 +1,194 @@
+// The harness on polygons: it finds planted bugs, shrinks them, and is the same whatever the number of threads; and
+// the relations that need no oracle.
+#include <gtest/gtest.h>
+
+#include "core/segura_feito_polygon.h"
+#include "exact/kernels/rational_kernel.h"
+#include "exact/methods.h"
+#include "exact/polygon/relations.h"
+#include "exact/polygon/shrink.h"
+
+namespace tribunal {
+namespace {
+
+PolygonFuzzPlan plan_for(const std::vector<std::string>& names, std::uint64_t cases) {
+  PolygonFuzzPlan plan;
+  for (const std::string& name : names) plan.methods.push_back(*find_method(name));
+  plan.streams = all_polygon_streams();
+  plan.cases = cases;
+  return plan;
+}
+
+TEST(PolygonRelations, HoldForExactMethods) {
+  const PolygonFuzzPlan plan = plan_for({"sf-rational", "sf-epick"}, 2'800);
+  for (const PolygonRelationCount& c : check_relations(plan)) {
+    const std::string where = plan.methods[c.method].name + " " + std::string(all_polygon_relations()[c.relation].name);
+    EXPECT_EQ(c.broken, 0U) << where;
+    EXPECT_GT(c.asked, 200U) << where;
+  }
+}
+
+TEST(PolygonRelations, AreBrokenByNaiveArithmetic) {
+  std::uint64_t broken = 0;
+  for (const PolygonRelationCount& c : check_relations(plan_for({"sf-double"}, 2'800))) {
+    broken += c.broken;
+    EXPECT_EQ(c.witness.has_value(), c.broken > 0);
+  }
+  EXPECT_GT(broken, 100U);
+}
+
+/// The triangle, as a ring of three and in rings that take the covering.
+TEST(PolygonRelations, ATriangleAsPolygonIsTheTriangle) {
+  const RationalKernel k;
+  int hits = 0;
+  for (std::uint64_t i = 0; i < 3'000; ++i) {
+    const Family& family = *find_family(i % 2 == 0 ? "affine" : "ulp");
+    const Query query = family.make(Format::binary64, 5, i).query;
+    const Segment s = std::get<Segment>(query.probe);
+    const Triangle& t = query.triangle;
+    const Answer expected = segura_feito(s, t, k);
+    hits += expected.hit;
+    for (const std::vector<Point3>& ring :
+         {std::vector<Point3>{t.a, t.b, t.c}, {t.a, t.b, t.c, t.c}, {t.b, t.b, t.c, t.a}, {t.c, t.a, t.b, t.c}}) {
+      const PolygonData polygon = PolygonData{}.add(ring);
+      const PolygonAnswer prepared = segura_feito(s, cover(polygon, k), k);
+      EXPECT_TRUE(prepared.planar);
+      EXPECT_EQ(prepared.answer, expected) << "prepared, case " << i;
+      EXPECT_EQ(segura_feito(s, Polygon(polygon), k), expected) << "on the fly, case " << i;
+    }
+  }
+  EXPECT_GT(hits, 500);
+}
+
+/// Triangulations of some shapes, by vertex number.
+struct Triangulation {
+  std::string_view shape;
+  std::vector<std::array<std::size_t, 3>> triangles;
+};
+
+const Triangulation triangulations[] = {
+    {"convex", {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}},
+    {"flat vertices", {{0, 1, 7}, {1, 2, 7}, {2, 3, 7}, {3, 4, 7}, {4, 5, 7}, {5, 6, 7}}},
+    {"dart", {{0, 1, 3}, {1, 2, 3}}},
+    {"comb", {{1, 2, 3}, {1, 3, 4}, {4, 5, 6}, {0, 1, 4}, {0, 4, 6}, {0, 6, 7}, {0, 7, 8}}},
+    {"horseshoe", {{0, 1, 6}, {0, 6, 7}, {1, 2, 5}, {1, 5, 6}, {2, 3, 4}, {2, 4, 5}}},
+    {"hole", {{0, 1, 4}, {1, 5, 4}, {1, 2, 5}, {5, 2, 6}, {2, 3, 6}, {3, 4, 6}, {3, 0, 4}}},
+};
+
+bool any_triangle(const Method& m, const PolygonQuery& query, const Triangulation& t) {
+  const auto& v = query.polygon.vertices;
+  return std::any_of(t.triangles.begin(), t.triangles.end(), [&](const auto& i) {
+    return m.ask(Query{query.probe, {v[i[0]], v[i[1]], v[i[2]]}}).hit;
+  });
+}
+
+TEST(PolygonRelations, ATriangulationOrEdIsThePolygon) {
+  const Method& m = *find_method("sf-epick");
+  int asked = 0, hits = 0;
+  for (const char* name : {"polygon-affine", "polygon-in-plane", "polygon-scale"}) {
+    for (std::uint64_t k = 0; k < 4'000; ++k) {
+      const std::string_view shape = all_shapes()[k % shape_count].name;
+      const auto* t = std::find_if(std::begin(triangulations), std::end(triangulations),
+                                   [&](const Triangulation& row) { return row.shape == shape; });
+      if (t == std::end(triangulations)) continue;
+      const PolygonQuery query = find_polygon_family(name)->make(Format::binary64, 11, k).query;
+      const bool hit = m.ask(query).answer.hit;
+      EXPECT_EQ(hit, any_triangle(m, query, *t)) << name << " " << k << " " << shape;
+      ++asked;
+      hits += hit;
+    }
+  }
+  EXPECT_GT(asked, 3'000);
+  EXPECT_GT(hits, 1'000);
+}
+
+TEST(PolygonFuzz, FindsNothingOnExactMethodsAndReachesAllConstructions) {
+  PolygonFuzzPlan plan = plan_for({"sf-epick", "sf-epeck"}, 0);
+  plan.streams = {{find_polygon_family("polygon-affine"), Format::binary64}};
+  plan.cases = 3 * shape_count * place_count;
+  const PolygonFuzzReport report = fuzz(plan);
+  EXPECT_TRUE(report.findings.empty());
+  EXPECT_EQ(describe(report.coverage),
+            "ring configurations 22 of 22, places × approaches 78 of 78, configurations × places 258 of 258");
+}
+
+TEST(PolygonFuzz, ThreadsDoNotShow) {
+  PolygonFuzzPlan plan = plan_for({"haines-double", "sf-float"}, 3'000);
+  const PolygonFuzzReport one = fuzz(plan);
+  plan.threads = 3;
+  const PolygonFuzzReport three = fuzz(plan);
+  EXPECT_EQ(one.counts, three.counts);
+  EXPECT_EQ(one.coverage, three.coverage);
+  ASSERT_EQ(one.findings.size(), three.findings.size());
+  ASSERT_FALSE(one.findings.empty());
+  for (std::size_t i = 0; i < one.findings.size(); ++i) EXPECT_EQ(one.findings[i].k, three.findings[i].k);
+}
+
+TEST(PolygonFuzz, CounterexamplesAreSmallAndReplay) {
+  const PolygonFuzzPlan plan = plan_for({"haines-double", "feito-double", "sf-double"}, 2'800);
+  const PolygonFuzzReport report = fuzz(plan);
+  std::map<std::size_t, int> kept;
+  for (const PolygonFinding& f : report.findings) {
+    if (++kept[f.method] > 4) continue;
+    const PolygonCase c = to_counterexample(plan, f);
+    EXPECT_LE(c.query.polygon.vertices.size(), f.trial.query.polygon.vertices.size());
+    EXPECT_LE(c.query.polygon.vertices.size(), 10U) << c.id;
+    bool wrong = false;
+    EXPECT_NE(replay(c, wrong).find("WRONG"), std::string::npos);
+    EXPECT_TRUE(wrong);
+    const PolygonCase again = to_polygon_case(parse_json(from_case(c).dump(), {"case", 1}), {"case", 1});
+    EXPECT_EQ(again.query.polygon.vertices, c.query.polygon.vertices);
+    const PolygonQuery fixed = shrink(plan.methods[f.method], c.query, c.format);
+    EXPECT_EQ(fixed.polygon.vertices, c.query.polygon.vertices) << "its own fixed point";
+  }
+  for (std::size_t m = 0; m < 3; ++m) EXPECT_GT(kept[m], 0) << plan.methods[m].name;
+}
+
+/// The method with its answers on polygons changed.
+template <class Change>
+Method planted(const Change& change) {
+  Method m = reference_method();
+  m.polygon = [change](const Polygon& polygon) -> PreparedPolygon {
+    const PreparedPolygon right = reference_method().polygon(polygon);
+    const auto wrong = [change, right, polygon](const auto& probe, PolygonAnswer answer) {
+      change(probe, polygon, answer);
+      return answer;
+    };
+    return {.segment = [right, wrong](const Segment& s) { return wrong(s, right.segment(s)); },
+            .ray = [right, wrong](const Ray& r) { return wrong(r, right.ray(r)); }};
+  };
+  return m;
+}
+
+template <class Change>
+std::size_t findings_with(const Change& change) {
+  PolygonFuzzPlan plan = plan_for({}, 2'800);
+  plan.methods = {planted(change)};
+  return fuzz(plan).findings.size();
+}
+
+TEST(PolygonFuzz, FindsPlantedBugs) {
+  EXPECT_EQ(findings_with([](const auto&, const Polygon&, PolygonAnswer&) {}), 0U);
+  EXPECT_GT(findings_with([](const auto&, const Polygon&, PolygonAnswer& a) {
+              a.answer.hit = a.answer.hit && a.answer.contact != Contact::vertex;
+            }),
+            0U)
+      << "vertices excluded";
+  EXPECT_GT(findings_with([](const auto&, const Polygon& polygon, PolygonAnswer& a) {
+              a.answer.hit = a.answer.hit && (a.answer.contact != Contact::edge || polygon.rings() == 1);
+            }),
+            0U)
+      << "hole edges excluded";
+  EXPECT_GT(findings_with([](const auto&, const Polygon&, PolygonAnswer& a) { a.planar = true; }), 0U)
+      << "planar up to a tolerance";
+  EXPECT_GT(findings_with([](const auto& probe, const Polygon& polygon, PolygonAnswer& a) {
+              const RationalKernel k;
+              const std::size_t end = polygon.ring(0).size();
+              a.answer.hit = segura_feito(probe, Polygon{polygon.ring(0), {&end, 1}}, k).hit;
+            }),
+            0U)
+      << "holes forgotten";
+}
+
+}  // namespace
+}  // namespace tribunal
