@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "core/answer.h"
 #include "exact/filtered/default_rounding.h"
 #include "exact/filtered/fixed_integer.h"
 #include "exact/filtered/grid_kernel.h"
