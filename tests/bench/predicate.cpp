@@ -1,5 +1,5 @@
 // Time per pair of sf-filtered, single and batched, and of its peers. `./run bench predicate` builds and runs it. All
-// benchmarks run in one process in random order, nine times each, so that a change of the machine's speed meets all of
+// benchmarks run in one process in random order, 25 times each, so that a change of the machine's speed meets all of
 // them. CPU time, since others may use the machine. The last lines are `ratio NAME VALUE`, of medians.
 #include <benchmark/benchmark.h>
 
@@ -235,7 +235,7 @@ void print_share_past_the_filter() {
 
 int main(int argc, char** argv) {
   using namespace tribunal::bench;
-  std::vector<std::string> defaults = {argv[0], "--benchmark_repetitions=9", "--benchmark_min_time=0.05",
+  std::vector<std::string> defaults = {argv[0], "--benchmark_repetitions=25", "--benchmark_min_time=0.02",
                                        "--benchmark_enable_random_interleaving=true"};
   for (int i = 1; i < argc; ++i) defaults.emplace_back(argv[i]);
   std::vector<char*> arguments;
