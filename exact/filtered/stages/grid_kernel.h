@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "core/kernel.h"
-#include "exact/filtered/fixed_integer.h"
+#include "exact/filtered/stages/fixed_integer.h"
 
 namespace tribunal {
 
