@@ -20,7 +20,7 @@ PreparedPolygon prepare(const Polygon& polygon) {
 Method sf_filtered() {
   return {.name = "sf-filtered",
           .number = "binary64, then integers",
-          .contract = "segment, ray; any triangle, any polygon",
+          .contract = "segment, ray; any triangle or polygon",
           .summary = "five signs by a proved filter; fixed-width integers, then GMP, where it abstains",
           .reference = "Segura & Feito 1998, 2001; docs/error-bounds.md",
           .convention = Convention::closed,
