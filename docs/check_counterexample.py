@@ -33,6 +33,7 @@ def meet(generators, points):
     return any(depends([generators[i] for i in s], s, points) for s in subsets)
 
 def check(case):
+    if "tri" not in case: return False  # a polygon: not for this script
     a, b, c = ([number(x) for x in v] for v in case["tri"])
     p, q = ([number(x) for x in v] for v in (case["seg"] if "seg" in case else (case["ray"]["o"], case["ray"]["d"])))
     near = det(sub(b, a), sub(c, a), sub(p, a))

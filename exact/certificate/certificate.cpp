@@ -158,8 +158,10 @@ void add_calibration_gaps(Certificate& c) {
 }
 
 void add_set_gaps(Certificate& c) {
+  if (c.sampled().judged() == 0) c.gaps.push_back({"sample", "the method answered none of it", false});
   for (const ProvedSet& s : c.proved) {
     if (!s.complete || s.count.asked != s.size) c.gaps.push_back({s.name, "the set was not run whole", false});
+    if (s.count.judged() == 0) c.gaps.push_back({s.name, "the method answered none of it", false});
   }
 }
 

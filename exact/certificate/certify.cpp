@@ -96,17 +96,6 @@ void offer_from_sample(SimplestOfClass& simplest, const FuzzPlan& plan, const Fu
   }
 }
 
-/// Before the run: a mistake in the user's file should not cost minutes.
-std::vector<Truth> truths_of(const std::vector<Case>& cases) {
-  std::vector<Truth> truths;
-  for (const Case& own : cases) {
-    truths.push_back(exact_truth(own.query));
-    const std::string error = mistaken_claim(own, truths.back());
-    if (!error.empty()) throw Failure(Exit::bad_input, own.id + ": " + error);
-  }
-  return truths;
-}
-
 void end_if_interrupted() {
   if (interrupted() != 0) throw Failure(static_cast<Exit>(128 + interrupted()), "interrupted; no certificate written");
 }
@@ -129,6 +118,16 @@ void log_streams(ChainedLog& log, const FuzzPlan& plan) {
 }
 
 }  // namespace
+
+std::vector<Truth> truths_of(const std::vector<Case>& cases, const std::string& file) {
+  std::vector<Truth> truths;
+  for (const Case& own : cases) {
+    truths.push_back(exact_truth(own.query));
+    const std::string error = mistaken_claim(own, truths.back());
+    if (!error.empty()) throw bad_input(file, 0, own.id + ": " + error);
+  }
+  return truths;
+}
 
 void log_plan(ChainedLog& log, const Method& method, const std::string& budget, std::uint64_t seed) {
   Json stages = Json::array();
@@ -176,7 +175,6 @@ void log_own_cases(ChainedLog& log, const Method& method, const std::vector<Case
 }
 
 ChainedLog certify(const CertifyPlan& plan) {
-  const std::vector<Truth> own_truths = truths_of(plan.cases);
   ChainedLog log;
   log_plan(log, plan.method, plan.budget.name, plan.seed);
   const std::vector<ScopeResult> sets = run_sets(plan);
@@ -190,7 +188,7 @@ ChainedLog certify(const CertifyPlan& plan) {
   offer_from_sets(simplest, plan.method, sets);
   offer_from_sample(simplest, sample, report);
   simplest.log_into(log);
-  log_own_cases(log, plan.method, plan.cases, own_truths,
+  log_own_cases(log, plan.method, plan.cases, plan.truths,
                 [&](std::size_t i) { return plan.method.ask(plan.cases[i].query); });
   return log;
 }

@@ -30,8 +30,12 @@ struct CertifyPlan {
   std::uint64_t seed = 1;
   unsigned threads = 1;
   std::vector<Stream> streams = all_streams();
-  std::vector<Case> cases{};  ///< the user's own cases, judged and reported with the rest
+  std::vector<Case> cases{};    ///< the user's own cases, judged and reported with the rest
+  std::vector<Truth> truths{};  ///< their exact answers
 };
+
+/// The exact answers to the user's cases. Fails with Exit::bad_input where a case of this file claims something false.
+std::vector<Truth> truths_of(const std::vector<Case>& cases, const std::string& file);
 
 /// The whole trial. Deterministic for a plan, whatever the number of threads. Fails if interrupted.
 ChainedLog certify(const CertifyPlan& plan);

@@ -271,9 +271,13 @@ std::string to_summary(const Certificate& c) {
             std::to_string(s.count.judged()) + ", " + std::to_string(s.classes) + " classes\n";
   }
   const Count sampled = c.sampled();
-  text += "  sampled  " + std::to_string(sampled.wrong) + " wrong of " + std::to_string(sampled.judged()) + " (" +
-          rate_of(sampled) + "), 95 % upper bound " +
-          percent(upper_bound(sampled.wrong, sampled.judged(), confidence_alpha)) + " on these populations";
+  const bool generated = !c.calibration.empty();
+  text += (generated ? "  sampled  " : "  judged   ") + std::to_string(sampled.wrong) + " wrong of " +
+          std::to_string(sampled.judged()) + " (" + rate_of(sampled) + ")";
+  if (generated) {
+    text += ", 95 % upper bound " + percent(upper_bound(sampled.wrong, sampled.judged(), confidence_alpha)) +
+            " on these populations";
+  }
   text += sampled.unsupported == 0 ? "\n" : "; " + std::to_string(sampled.unsupported) + " outside the contract\n";
   text += worst_line(c);
   text += "  classes  " + c.coverage.to_text(c.stages) + "\n";

@@ -43,6 +43,7 @@ struct Part {
     const Answer answer = method.segment(s, t);
     const Judgement j = judge(method, truth, answer);
     count.add(j, answer.stage);
+    if (j != Judgement::unsupported) classes.set(truth.class_id);
     hash.add(static_cast<std::uint8_t>(answer.status == Status::ok ? answer.hit : 2));
     if (j == Judgement::wrong) keep(truth.class_id, {s, t});
   }
@@ -114,7 +115,6 @@ void run_triangle(const Method& method, const Points& points, const Triple& trip
     for (std::size_t j = i; j < points.size(); ++j) {
       const Truth truth = lattice_truth({points[i], points[j]}, orders[0]);
       ++out.tuples[truth.class_id];
-      out.part.classes.set(truth.class_id);
       for (const Triangle& t : orders) {
         out.part.ask(method, {points[i], points[j]}, t, truth);
         if (i != j) out.part.ask(method, {points[j], points[i]}, t, truth);
@@ -164,7 +164,6 @@ ScopeResult pocket_run(const Method& method) {
   for (const ClassRow& row : class_table()) {
     const Segment s = row.representative_segment();
     const Truth truth{row.id, row.contact()};
-    part.classes.set(row.id);
     for (const Triangle& t : orders_of(row.representative_triangle())) {
       for (const Segment& directed : {s, Segment{s.q, s.p}}) {
         for (const AxisMap& map : axis_maps()) part.ask(method, map(directed), map(t), truth);

@@ -16,7 +16,7 @@ struct ScopeResult {
   std::uint64_t size = 0;          ///< cases in the set
   std::uint64_t answers_hash = 0;  ///< FNV-1a over the method's answers, in the set's order
   Count count{};
-  int classes = 0;             ///< how many of the 163 classes the set has
+  int classes = 0;             ///< of the 163, how many the method answered cases of
   bool complete = true;        ///< false if interrupted
   std::vector<Query> wrong{};  ///< the first of each class, in the set's order
 };

@@ -1,4 +1,5 @@
 #include <cstdio>
+#include <filesystem>
 #include <map>
 #include <memory>
 
@@ -148,6 +149,9 @@ FuzzReport run_plan(const Options& o, const FuzzPlan& plan) {
   if (o.resume) {
     if (const auto saved = load_checkpoint(o.out, plan)) start = *saved;
     print("going on after " + std::to_string(start.cases) + " cases\n");
+  } else if (std::filesystem::exists(checkpoint_path(o.out))) {
+    throw Failure(Exit::usage,
+                  checkpoint_path(o.out) + " is of an interrupted run: --resume goes on with it, or remove it");
   }
   return fuzz(plan, start, [&](const FuzzReport& report) { save_checkpoint(o.out, plan, report); });
 }
@@ -207,7 +211,8 @@ int run(const Options& o) {
 Action declare_fuzz(CLI::App& app) {
   const auto o = std::make_shared<Options>();
   auto* methods = app.add_option("--method", o->methods, "methods, separated by commas")->capture_default_str();
-  app.add_option("--family", o->families, family_help());
+  app.add_option("--family", o->families,
+                 family_help() + "; or polygon families, by themselves:" + polygon_family_names());
   app.add_option("--seed", o->seed, "seed of the cases")->check(whole_number())->capture_default_str();
   auto* count =
       app.add_option("--count", o->count, "cases in all (default 500000)")->check(whole_number())->check(above_zero());

@@ -116,6 +116,12 @@ std::vector<PolygonStream> polygon_streams_named(const std::string& comma_separa
   return streams;
 }
 
+std::string polygon_family_names() {
+  std::string text;
+  for (const PolygonFamily& f : all_polygon_families()) text += " " + std::string(f.name);
+  return text;
+}
+
 int run_polygons(const PolygonFuzzPlan& plan, const std::string& out, std::size_t keep, bool levels) {
   for (const Method& m : plan.methods) {
     if (!m.polygon) throw Failure(Exit::usage, m.name + " takes no polygons");

@@ -40,7 +40,12 @@ std::vector<std::string> split(const std::string& comma_separated) {
 
 std::vector<Method> methods_named(const std::string& comma_separated) {
   std::vector<Method> methods;
-  for (const std::string& name : split(comma_separated)) methods.push_back(method_named(name));
+  for (const std::string& name : split(comma_separated)) {
+    if (std::ranges::find(methods, name, &Method::name) != methods.end()) {
+      throw Failure(Exit::usage, "method " + name + " is named twice");
+    }
+    methods.push_back(method_named(name));
+  }
   if (methods.empty()) throw Failure(Exit::usage, "no method given, expected names separated by commas");
   return methods;
 }
@@ -50,6 +55,9 @@ std::vector<Stream> streams_named(const std::string& comma_separated) {
   std::vector<Stream> streams;
   for (const std::string& name : split(comma_separated)) {
     require_family(name);
+    if (std::ranges::any_of(streams, [&](const Stream& s) { return s.family->name == name; })) {
+      throw Failure(Exit::usage, "family " + name + " is named twice");
+    }
     for (const Stream& s : all_streams()) {
       if (s.family->name == name) streams.push_back(s);
     }

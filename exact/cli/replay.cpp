@@ -81,7 +81,7 @@ Action declare_shrink(CLI::App& app) {
   };
   const auto o = std::make_shared<Options>();
   app.add_option("FILE", o->file, "counterexample file (JSON Lines)")->required();
-  app.add_option("--method", o->method, "the method that is wrong, where the file does not name it");
+  app.add_option("--method", o->method, "the method that is wrong (default: the one that the file names)");
   app.add_option("--out", o->out, "where the shrunk cases go; - is standard output")->capture_default_str();
   return with_plugins(app, [o] { return run_shrink(o->file, o->method, o->out); });
 }

@@ -70,6 +70,9 @@ void save_checkpoint(const std::string& directory, const FuzzPlan& plan, const F
   for (const Finding& f : report.findings) log.add(finding_record(f));
   log.add({{"record", "done"}, {"cases", report.cases}});
   write_file(checkpoint_path(directory), log.finish());
+  for (const char* of_another_run : {"/summary.json", "/counterexamples.jsonl"}) {
+    std::filesystem::remove(directory + of_another_run);
+  }
 }
 
 std::optional<FuzzReport> load_checkpoint(const std::string& directory, const FuzzPlan& plan) {

@@ -91,7 +91,8 @@ Case to_case(const Json& object, const Where& where) {
   require_keys(object, {"id", "fmt", "seg", "ray", "tri", "rings", "expect", "class", "source", "finding"}, where);
   if (object.contains("rings")) where.key("rings").fail("this command takes triangles only, expected \"tri\"");
   CaseHead head = to_case_head(object, where);
-  const Triangle triangle = to_triangle(require(object, "tri", where), head.format, where.key("tri"));
+  if (!object.contains("tri")) where.fail("missing \"tri\" or \"rings\"");
+  const Triangle triangle = to_triangle(object["tri"], head.format, where.key("tri"));
   return {.id = std::move(head.id),
           .format = head.format,
           .query = {head.probe, triangle},

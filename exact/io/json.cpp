@@ -34,6 +34,12 @@ int depth_of(std::string_view text) {
   return deepest;
 }
 
+/// Whether a hex float out of range is too small rather than too large: its exponent says so.
+bool is_tiny(std::string_view hex_float) {
+  const std::size_t p = hex_float.find_first_of("pP");
+  return p != std::string_view::npos && hex_float.substr(p + 1).starts_with('-');
+}
+
 /// from_chars knows no "0x" and no locale; this takes the C99 form apart and hands it the rest.
 bool parse_hex_float(std::string_view text, double& x) {
   const bool negative = text.starts_with('-');
@@ -43,7 +49,7 @@ bool parse_hex_float(std::string_view text, double& x) {
   if (text.empty() || text.front() == '-') return false;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x, std::chars_format::hex);
   if (end != text.data() + text.size()) return false;
-  if (error == std::errc::result_out_of_range) x = std::numeric_limits<double>::infinity();
+  if (error == std::errc::result_out_of_range) x = is_tiny(text) ? 0 : std::numeric_limits<double>::infinity();
   if (negative) x = -x;
   return error == std::errc{} || error == std::errc::result_out_of_range;
 }
@@ -73,6 +79,24 @@ Json::parser_callback_t refuse_duplicates(const Where& where) {
     }
     return true;
   };
+}
+
+/// The parser reads -0 as the integer 0; -0.0 keeps its sign.
+std::string with_signed_zeros(std::string_view text) {
+  std::string result;
+  bool in_string = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    result += text[i];
+    if (in_string && text[i] == '\\' && i + 1 < text.size()) result += text[++i];
+    if (text[i] == '"') in_string = !in_string;
+    const bool minus_zero = !in_string && text[i] == '0' && i > 0 && text[i - 1] == '-' &&
+                            (i < 2 || std::string_view("[,: \t").find(text[i - 2]) != std::string_view::npos);
+    if (minus_zero &&
+        (i + 1 == text.size() || std::string_view(".eE0123456789").find(text[i + 1]) == std::string_view::npos)) {
+      result += ".0";
+    }
+  }
+  return result;
 }
 
 /// What the parser says, without its tag "[json.exception.…] ".
@@ -124,7 +148,8 @@ Point3 to_point(const Json& value, Format format, const Where& where) {
 
 Json from_point(const Point3& p) { return Json::array({hex_float(p.x), hex_float(p.y), hex_float(p.z)}); }
 
-Json parse_json(std::string_view text, const Where& where) {
+Json parse_json(std::string_view given, const Where& where) {
+  const std::string text = with_signed_zeros(given);
   if (depth_of(text) > max_depth) where.fail("nested deeper than " + std::to_string(max_depth) + " levels");
   try {
     return Json::parse(text, refuse_duplicates(where));

@@ -56,7 +56,7 @@ expect 2 fuzz --seed -1 && says err 'expected a whole number'
 expect 2 fuzz --threads 0
 expect 2 fuzz --family afine && says err 'did you mean "affine"?'
 expect 2 fuzz --count 5 --seconds 5
-timeout --preserve-status -s INT 2 "$TRIBUNAL" fuzz --method sf-epick --seconds 60 >out 2>err && status=0 || status=$?
+timeout --foreground --preserve-status -s INT 2 "$TRIBUNAL" fuzz --method sf-epick --seconds 60 >out 2>err && status=0 || status=$?
 [ "$status" -eq 130 ] || { echo "interrupted fuzz: exit $status, expected 130" >&2; exit 1; }
 
 expect 1 certify --method mt-float --out certificate --cases cases.jsonl

@@ -12,7 +12,7 @@ diff -r one two && diff -r one seven
 # Interrupted again and again, with another number of threads each time.
 interrupted=0
 for threads in 1 2 7 2 1 2 7 2 2 2 2; do
-  timeout --preserve-status -s INT 1 "$TRIBUNAL" "${plan[@]}" --threads "$threads" --out parts --resume >out 2>err && status=0 || status=$?
+  timeout --foreground --preserve-status -s INT 1 "$TRIBUNAL" "${plan[@]}" --threads "$threads" --out parts --resume >out 2>err && status=0 || status=$?
   [ "$status" -ne 1 ] || break
   [ "$status" -eq 130 ] && says out 'INTERRUPTED' && [ ! -e parts/summary.json ] || { cat err; exit 1; }
   interrupted=$((interrupted + 1))
@@ -23,7 +23,7 @@ diff -r one parts
 sha256sum one/summary.json two/summary.json seven/summary.json parts/summary.json
 
 # A checkpoint is of its own plan only, and an edited one is refused.
-timeout --preserve-status -s INT 0.5 "$TRIBUNAL" "${plan[@]}" --out other >out 2>err || true
+timeout --foreground --preserve-status -s INT 0.5 "$TRIBUNAL" "${plan[@]}" --out other >out 2>err || true
 expect 2 fuzz --method sf-double --seed 3 --count 300000 --out other --resume && says err 'other methods, families, seed or count'
 sed -i '3s/[0-9]/7/3' other/checkpoint.jsonl
 expect 3 "${plan[@]}" --out other --resume && says err 'checkpoint.jsonl:3:'

@@ -79,7 +79,8 @@ TEST_F(CertificateTest, ACaseOfTheUsersOwnRefutesToo) {
   lazy.segment = [](const Segment& s, const Triangle& t) {
     return s.q == Point3(0.5, 0.25, 1) ? miss() : find_method("sf-epick")->segment(s, t);
   };
-  const Certificate c = write({.method = lazy, .budget = tiny, .threads = 2, .cases = {own}});
+  const Certificate c =
+      write({.method = lazy, .budget = tiny, .threads = 2, .cases = {own}, .truths = {exact_truth(own.query)}});
   EXPECT_EQ(c.sampled().wrong, 1U);
   EXPECT_EQ(c.verdict, Verdict::refuted);
   EXPECT_FALSE(verify(directory_).asked_again) << "an unknown method";
@@ -153,6 +154,13 @@ TEST_F(CertificateTest, LostCountsMakeAHole) {
     }
   });
   EXPECT_EQ(verify(directory_).certificate.verdict, Verdict::incomplete);
+}
+
+/// A method that answers nothing has no certificate.
+TEST_F(CertificateTest, NoAnswersAreAHole) {
+  const Certificate c = write({.method = method("haines-double"), .budget = {"tiny", 1, false}, .threads = 2});
+  EXPECT_EQ(c.sampled().judged(), 0U);
+  EXPECT_EQ(c.verdict, Verdict::incomplete);
 }
 
 TEST(SmallScope, LinesAndTheLatticeHaveEveryClass) {

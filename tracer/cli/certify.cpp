@@ -44,7 +44,10 @@ int run(const Options& o) {
   const std::vector<Method> methods = methods_named(o.method);
   if (methods.size() != 1) throw Failure(Exit::usage, "certify takes one method, found " + o.method);
   CertifyPlan plan{.method = methods[0], .budget = budget_named(o.budget), .seed = o.seed, .threads = o.threads};
-  if (!o.cases.empty()) plan.cases = read_cases(o.cases);
+  if (!o.cases.empty()) {
+    plan.cases = read_cases(o.cases);
+    plan.truths = truths_of(plan.cases, o.cases);
+  }
   Family of_mesh;
   if (!o.mesh.empty()) {
     of_mesh = family_of_mesh(o.mesh);
