@@ -1,6 +1,7 @@
 #include "tracer/render.h"
 
 #include <csignal>
+#include <deque>
 
 #include "exact/harness/interrupt.h"
 #include "exact/harness/parallel.h"
@@ -29,9 +30,9 @@ Rendering render(const World& world, const Method& method, const RenderOptions& 
   Rendering out{Image(camera.width, camera.height), {}, {}, 0};
   out.decisions.resize(out.image.pixels.size());
   const std::size_t rows = static_cast<std::size_t>(camera.height);
-  std::vector<Tally> tallies(options.threads);
-  std::vector<WhittedTracer> tracers;
-  for (Tally& tally : tallies) tracers.emplace_back(world, method, tally);
+  std::vector<RayTally> tallies(options.threads);
+  std::deque<WhittedTracer> tracers;
+  for (RayTally& tally : tallies) tracers.emplace_back(world, method, tally);
 
   Progress progress(method.name, "rows", rows);
   const auto work = [&](std::size_t row, unsigned worker) {
@@ -43,7 +44,7 @@ Rendering render(const World& world, const Method& method, const RenderOptions& 
     throw Failure(interrupted() == SIGTERM ? Exit::terminated : Exit::interrupted,
                   "render: interrupted, nothing written");
   }
-  for (const Tally& tally : tallies) out.tally += tally;
+  for (const RayTally& tally : tallies) out.tally += tally;
   out.seconds = progress.elapsed();
   return out;
 }

@@ -14,7 +14,7 @@ struct RenderOptions {
 struct Rendering {
   Image image;
   std::vector<std::uint64_t> decisions;  ///< a hash of each pixel's decisions, in row order
-  Tally tally;
+  RayTally tally;
   double seconds = 0;
 };
 
