@@ -47,7 +47,7 @@ template <class N>
 Method classical_method(const Description& d, Inclusion<N> inside) {
   Method m{.name = d.name,
            .number = d.number,
-           .contract = d.decides_boundary ? "segment, ray; any triangle, planar polygon"
+           .contract = d.decides_boundary ? "segment, ray; triangle, planar polygon"
                                           : "segment, ray; planar polygon, no boundary",
            .summary = d.summary,
            .reference = d.reference,

@@ -13,11 +13,11 @@ namespace {
 std::string table() {
   std::string text;
   char line[400];
-  std::snprintf(line, sizeof line, "%-14s %-27s %-37s %-12s %s\n", "method", "number type", "contract", "convention",
+  std::snprintf(line, sizeof line, "%-14s %-27s %-41s %-12s %s\n", "method", "number type", "contract", "convention",
                 "what it does (reference)");
   text += line;
   for (const Method& m : all_methods()) {
-    std::snprintf(line, sizeof line, "%-14s %-27s %-37s %-12s %s (%s)\n", m.name.c_str(), m.number.c_str(),
+    std::snprintf(line, sizeof line, "%-14s %-27s %-41s %-12s %s (%s)\n", m.name.c_str(), m.number.c_str(),
                   m.contract.c_str(), std::string(name_of(m.convention)).c_str(), m.summary.c_str(),
                   m.reference.c_str());
     text += line;

@@ -1,8 +1,8 @@
 #include "exact/filtered/filtered.h"
 
 #include "core/segura_feito.h"
-#include "exact/filtered/exact_stages.h"
 #include "exact/filtered/filtered_kernel.h"
+#include "exact/filtered/stages/exact_stages.h"
 #include "exact/kernels/segura_feito_method.h"
 
 namespace tribunal {

@@ -28,8 +28,8 @@ template <class N, class P>
   const Vec3<N> m = largest(arms);
   const N bound = volume_bound(m, c);
   const N margin = margin_of(shared_volumes<P>(arms));
-  const bool hit = certain_hit(margin, bound);
-  if (!(in_range(m, c) & (hit | certain_miss(margin, bound)))) return std::nullopt;
+  const bool hit = certain_hit(margin, bound), miss = certain_miss(margin, bound);
+  if (hit == miss || !in_range(m, c)) return std::nullopt;
   return hit;
 }
 

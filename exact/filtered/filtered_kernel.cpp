@@ -3,8 +3,8 @@
 #include <bit>
 #include <cstdint>
 
-#include "exact/filtered/exact_stages.h"
 #include "exact/filtered/filter.h"
+#include "exact/filtered/stages/exact_stages.h"
 
 namespace tribunal {
 namespace {

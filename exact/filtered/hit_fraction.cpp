@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "core/kernel.h"
-#include "exact/filtered/default_rounding.h"
+#include "exact/filtered/stages/default_rounding.h"
 #include "exact/kernels/dyadic.h"
 
 namespace tribunal {

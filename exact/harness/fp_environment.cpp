@@ -33,6 +33,12 @@ void repair() {
 #endif
 }
 
+/// Before static objects are made: CGAL notes the rounding mode when it makes its own, and aborts at exit if it is
+/// another by then.
+[[gnu::constructor(101)]] void repair_at_start() {
+  if (!rounds_as_expected()) repair();
+}
+
 }  // namespace
 
 bool has_exact_rounding() {

@@ -45,7 +45,7 @@ template <Kernel K>
 Method segura_feito_method(const KernelDescription& d, const K& k) {
   return {.name = d.name,
           .number = d.number,
-          .contract = "segment, ray; any triangle, any polygon",
+          .contract = "segment, ray; any triangle or polygon",
           .summary = d.summary,
           .reference = "Segura & Feito 1998, 2001",
           .convention = Convention::closed,

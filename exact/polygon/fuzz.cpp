@@ -37,8 +37,9 @@ void run_case(const PolygonFuzzPlan& plan, std::uint64_t g, Worker& worker) {
   for (std::size_t m = 0; m < plan.methods.size(); ++m) {
     const Method& method = plan.methods[m];
     if (!takes(method, source.format)) continue;
-    const Judgement judgement = judge(method, truth, method.ask(trial.query));
-    worker.counts[{m, stream, trial.level, truth.contact, truth.planar}].add(judgement);
+    const PolygonAnswer given = method.ask(trial.query);
+    const Judgement judgement = judge(method, truth, given);
+    worker.counts[{m, stream, trial.level, truth.contact, truth.planar}].add(judgement, given.answer.stage);
     if (judgement != Judgement::wrong) continue;
     ++worker.wrong;
     keep_first(worker.findings, {m, stream, k, trial, truth});

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/moeller_trumbore.h"
-#include "exact/filtered/lanes.h"
+#include "exact/filtered/batch/lanes.h"
 #include "tests/bench/peers.h"
 
 namespace tribunal::HWY_NAMESPACE {

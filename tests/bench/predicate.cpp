@@ -1,5 +1,5 @@
 // Time per pair of sf-filtered, single and batched, and of its peers. `./run bench predicate` builds and runs it. All
-// benchmarks run in one process in random order, nine times each, so that a change of the machine's speed meets all of
+// benchmarks run in one process in random order, 25 times each, so that a change of the machine's speed meets all of
 // them. CPU time, since others may use the machine. The last lines are `ratio NAME VALUE`, of medians.
 #include <benchmark/benchmark.h>
 
@@ -17,6 +17,7 @@
 #include "exact/filtered/batch.h"
 #include "exact/filtered/filtered.h"
 #include "exact/kernels/rational_kernel.h"
+#include "exact/methods.h"
 #include "tests/bench/pairs.h"
 #include "tests/bench/peers.h"
 
@@ -115,6 +116,9 @@ void register_all() {
     time_single("epick", population, table, epick);
     if (percent != 7) continue;
     time_single("epeck", population, table, epeck);
+    time_single(
+        "epick_checked", population, table,
+        [test = find_method("cgal-epick")->segment](const Segment& s, const Triangle& t) { return test(s, t).hit; });
     time_single("sf_double", population, table,
                 [](const Segment& s, const Triangle& t) { return segura_feito(s, t, FormulaKernel<double>{}).hit; });
     time_single("sf_rational", population, table,
@@ -193,6 +197,7 @@ void print_ratios(const Medians& m) {
     print_ratio(m, std::string("batch_over_simd_mt") + target, batch, std::string("hits_7/simd_mt") + target);
   }
   print_ratio(m, "single_over_scalar_mt", "hits_7/single", "hits_7/scalar_mt");
+  print_ratio(m, "epick_checked_over_batch", "hits_7/epick_checked", "hits_7/batch");
   print_ratio(m, "epick_over_single", "hits_7/epick", "hits_7/single");
   print_ratio(m, "epeck_over_single", "hits_7/epeck", "hits_7/single");
   print_ratio(m, "rational_over_single", "hits_7/sf_rational", "hits_7/single");
@@ -235,7 +240,7 @@ void print_share_past_the_filter() {
 
 int main(int argc, char** argv) {
   using namespace tribunal::bench;
-  std::vector<std::string> defaults = {argv[0], "--benchmark_repetitions=9", "--benchmark_min_time=0.05",
+  std::vector<std::string> defaults = {argv[0], "--benchmark_repetitions=25", "--benchmark_min_time=0.02",
                                        "--benchmark_enable_random_interleaving=true"};
   for (int i = 1; i < argc; ++i) defaults.emplace_back(argv[i]);
   std::vector<char*> arguments;

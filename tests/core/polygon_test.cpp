@@ -96,6 +96,15 @@ TEST(PolygonTest, NotPlanar) {
   EXPECT_EQ(ask(Segment{{9, 0, 3}, {12, 0, 9}}, fold).answer, hit_at(Contact::vertex));
 }
 
+/// Three turns of a stair around the first vertex; the probe starts on the first step and goes up through the others.
+TEST(PolygonTest, SeveralPlacesAreNoOnePlace) {
+  const PolygonData stair = PolygonData{}.add(std::vector<Point3>{
+      {0, 0, 0}, {4, -4, 2}, {4, 4, 2}, {-8, 0, 0}, {4, -4, 4}, {4, 4, 4}, {-8, 0, 0}, {4, -4, 6}, {4, 4, 6}});
+  EXPECT_EQ(ask(Segment{{2, 0, 1}, {2, 0, 5}}, stair).answer, hit_at(Contact::interior)) << "three steps";
+  EXPECT_EQ(ask(Segment{{2, 0, 1}, {2, 0, 2.5}}, stair).answer, miss()) << "two";
+  EXPECT_EQ(ask(Segment{{2, 0, 1}, {2, 0, 1.5}}, stair).answer, hit_at(Contact::interior, At::source)) << "one";
+}
+
 TEST(Covering, KnowsThePolygon) {
   EXPECT_FALSE(cover(frame, k).disjoint) << "two rings";
   EXPECT_FALSE(cover(dart, k).disjoint) << "the first vertex does not see all";
@@ -103,6 +112,10 @@ TEST(Covering, KnowsThePolygon) {
   EXPECT_TRUE(cover(PolygonData{}.add(Polygon(frame).ring(0)), k).disjoint);
   EXPECT_FALSE(cover(from_notch, k).disjoint) << "seen whole, but over more than half a turn";
   EXPECT_TRUE(cover(frame, k).planar);
+  for (const double height : {-1.0, 1.0}) {
+    EXPECT_FALSE(
+        cover(PolygonData{}.add(std::vector<Point3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, height}}), k).planar);
+  }
   EXPECT_TRUE(cover(PolygonData{}, k).planar);
   EXPECT_FALSE(segura_feito(Segment{}, PolygonData{}, k).hit) << "nothing there";
 }

@@ -90,7 +90,6 @@ struct Tracked {
   friend Tracked operator-(const Tracked& a, const Tracked& b) {
     return a.is_coordinate && b.is_coordinate ? Tracked(1, rounding) : a + b;
   }
-  friend Tracked operator-(const Tracked& a) { return a; }
   friend Tracked operator+(const Tracked& a, const Tracked& b) {
     return rounded(a.magnitude + b.magnitude, a.error + b.error);
   }

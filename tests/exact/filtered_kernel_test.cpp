@@ -9,8 +9,8 @@
 
 #include "exact/families/draw.h"
 #include "exact/families/family.h"
-#include "exact/filtered/exact_stages.h"
 #include "exact/filtered/filtered.h"
+#include "exact/filtered/stages/exact_stages.h"
 #include "exact/methods.h"
 
 namespace tribunal {

@@ -89,7 +89,7 @@ TEST(PolygonFamilies, NaiveMethodsAreWrongSomewhere) {
     for (const PolygonFamily& family : all_polygon_families()) {
       for (std::uint64_t k = 0; k < 1'000; ++k) {
         const PolygonTrial trial = family.make(m.format, 3, k);
-        count.add(judge(m, truth_of(trial), m.ask(trial.query)));
+        count.add(judge(m, truth_of(trial), m.ask(trial.query)), Stage::none);
       }
     }
     std::printf("  %-14s wrong %llu of %llu judged\n", name, static_cast<unsigned long long>(count.wrong),

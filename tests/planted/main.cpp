@@ -1,8 +1,8 @@
 // tribunal_planted: the commands that put methods on trial, with the planted bugs among the methods.
 #include "exact/cli/program.h"
-#include "tracer/cli/command.h"
 #include "exact/methods.h"
 #include "tests/planted/bugs.h"
+#include "tracer/cli/command.h"
 
 int main(int argc, char** argv) {
   using namespace tribunal;

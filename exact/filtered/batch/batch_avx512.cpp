@@ -1,6 +1,6 @@
 // Compiled for AVX-512 (F, BW, CD, DQ, VL).
 #define HWY_COMPILE_ONLY_STATIC
-#include "exact/filtered/batch_lanes.h"
+#include "exact/filtered/batch/batch_lanes.h"
 
 static_assert(HWY_TARGET == HWY_AVX3);
 

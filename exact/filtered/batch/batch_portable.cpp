@@ -1,6 +1,6 @@
 // Compiled for no vector instructions in particular.
 #define HWY_COMPILE_ONLY_SCALAR
-#include "exact/filtered/batch_lanes.h"
+#include "exact/filtered/batch/batch_lanes.h"
 
 namespace tribunal {
 

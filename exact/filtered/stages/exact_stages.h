@@ -3,10 +3,11 @@
 
 #include <optional>
 
-#include "exact/filtered/default_rounding.h"
-#include "exact/filtered/fixed_integer.h"
-#include "exact/filtered/grid_kernel.h"
-#include "exact/filtered/integer_image.h"
+#include "core/answer.h"
+#include "exact/filtered/stages/default_rounding.h"
+#include "exact/filtered/stages/fixed_integer.h"
+#include "exact/filtered/stages/grid_kernel.h"
+#include "exact/filtered/stages/integer_image.h"
 #include "exact/kernels/rational_kernel.h"
 
 namespace tribunal {

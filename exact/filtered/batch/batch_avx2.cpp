@@ -1,6 +1,6 @@
 // Compiled for AVX2 with FMA.
 #define HWY_COMPILE_ONLY_STATIC
-#include "exact/filtered/batch_lanes.h"
+#include "exact/filtered/batch/batch_lanes.h"
 
 static_assert(HWY_TARGET == HWY_AVX2);
 

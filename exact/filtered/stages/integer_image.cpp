@@ -1,4 +1,4 @@
-#include "exact/filtered/integer_image.h"
+#include "exact/filtered/stages/integer_image.h"
 
 #include <algorithm>
 #include <bit>

@@ -4,7 +4,7 @@
 #include <variant>
 
 #include "exact/filtered/batch.h"
-#include "exact/filtered/batch_target.h"
+#include "exact/filtered/batch/batch_target.h"
 #include "exact/filtered/filtered.h"
 
 namespace tribunal {

@@ -3,8 +3,8 @@
 
 #include <bit>
 
-#include "exact/filtered/batch_target.h"
-#include "exact/filtered/lanes.h"
+#include "exact/filtered/batch/batch_target.h"
+#include "exact/filtered/batch/lanes.h"
 #include "exact/filtered/shared_volumes.h"
 
 namespace tribunal::HWY_NAMESPACE {

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "exact/filtered/batch_target.h"
+#include "exact/filtered/batch/batch_target.h"
 #include "exact/filtered/filtered.h"
 
 namespace tribunal {
