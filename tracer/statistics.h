@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "core/answer.h"
+
 namespace tribunal {
 
 enum class RayKind : std::uint8_t { primary, shadow, reflection, refraction };
@@ -26,6 +28,8 @@ struct RayTally {
   std::uint64_t triangle_tests = 0, triangle_hits = 0;
   std::uint64_t polygon_tests = 0, polygon_hits = 0;
 
+  std::array<std::uint64_t, stage_count> by_stage{};  ///< answers to those tests by the stage that gave them
+
   // Of the search for proved starts (departure.h), whose tests are counted here and not above.
   std::uint64_t starts = 0;            ///< starts of secondary rays that were wanted
   std::uint64_t start_candidates = 0;  ///< points that were tried
@@ -42,6 +46,7 @@ struct RayTally {
     triangle_hits += t.triangle_hits;
     polygon_tests += t.polygon_tests;
     polygon_hits += t.polygon_hits;
+    for (std::size_t s = 0; s < by_stage.size(); ++s) by_stage[s] += t.by_stage[s];
     starts += t.starts;
     start_candidates += t.start_candidates;
     start_tests += t.start_tests;

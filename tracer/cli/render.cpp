@@ -7,18 +7,20 @@
 #include "exact/io/files.h"
 #include "tracer/cli/command.h"
 #include "tracer/compare.h"
+#include "tracer/image/heat_map.h"
+#include "tracer/pov/export_pov.h"
 #include "tracer/scene/read_scene.h"
 
 namespace tribunal {
 namespace {
 
 struct Options {
-  std::string scene, method, against, out, stats;
+  std::string scene, method, against, out, stats, pov;
   int depth = 0;  ///< 0: the scene's
   std::string accel = "bvh";
   unsigned threads = default_threads();
   std::size_t max_cases = 1000;
-  bool triangulate = false;
+  bool triangulate = false, heat = false;
 };
 
 /// What --against found.
@@ -90,6 +92,11 @@ Json to_json(const Method& method, const RayTally& t) {
           {"polygon_tests", t.polygon_tests},
           {"polygon_hits", t.polygon_hits},
           {"hit_share", share(t.hits(), t.tests())},
+          {"answers_by_stage",
+           {{"unstaged", t.by_stage[0]},
+            {"filter", t.by_stage[1]},
+            {"expansion", t.by_stage[2]},
+            {"exact", t.by_stage[3]}}},
           {"points_computed", points_computed(t)},
           {"starts",
            {{"wanted", t.starts},
@@ -107,6 +114,9 @@ Json to_json(const Findings& f, const Method& a, const Method& b) {
           {"pixels_of_other_colour", f.colours},
           {"examined", f.examined},
           {"parted_on", kinds},
+          {"parted_on_visibility", f.by_kind[0]},
+          {"parted_on_shadow", f.by_kind[1]},
+          {"parted_on_secondary", f.by_kind[2] + f.by_kind[3]},
           {"parted_on_order_only", f.order_only},
           {"parted_on_start_only", f.starts},
           {"cases", f.cases.size()}};
@@ -165,9 +175,10 @@ std::string describe(const Findings& f, const Options& o, std::size_t pixels) {
   std::string text = formatted("\n%s against %s: %zu of %zu pixels differ in colour, %zu in some decision\n",
                                o.method.c_str(), o.against.c_str(), f.colours, pixels, f.pixels.size());
   if (f.pixels.empty()) return text;
-  text += formatted("first parting on a ray that is: primary %zu, shadow %zu, reflection %zu, refraction %zu",
-                    f.by_kind[0], f.by_kind[1], f.by_kind[2], f.by_kind[3]);
-  text += formatted("; only the order of hits differs: %zu; only the start of the ray: %zu\n", f.order_only, f.starts);
+  text += formatted("they part on visibility: %zu, shadow: %zu, secondary rays: %zu (reflection %zu, refraction %zu)\n",
+                    f.by_kind[0], f.by_kind[1], f.by_kind[2] + f.by_kind[3], f.by_kind[2], f.by_kind[3]);
+  text += formatted("of these, only the order of hits differs: %zu; only the starts of the rays differ: %zu\n",
+                    f.order_only, f.starts);
   if (f.examined < f.pixels.size()) text += formatted("(of the first %zu pixels; see --max-cases)\n", f.examined);
   return text;
 }
@@ -189,6 +200,7 @@ int run(const Options& o) {
   if (o.out == "-") throw Failure(Exit::usage, "-o: expected a file name, found \"-\"");
   require_different(o.scene, o.out);
   if (!o.stats.empty()) require_different(o.scene, o.stats);
+  if (!o.pov.empty()) require_different(o.scene, o.pov);
   if (o.stats == o.out) throw Failure(Exit::usage, "--stats: the same file as -o");
   const Scene scene = read_scene(o.scene);
   const auto is_binary32 = [](const Method& m) { return m.format == Format::binary32; };
@@ -216,6 +228,15 @@ int run(const Options& o) {
   for (std::size_t i = 0; i < methods.size(); ++i) report += describe_starts(methods[i], renderings[i].tally);
   write_file(o.out, to_png(renderings[0].image));
   std::string written = o.out;
+  if (o.heat) {
+    write_file(beside(o.out, ".tests.png"), to_png(tests_heat_map(renderings[0])));
+    write_file(beside(o.out, ".stages.png"), to_png(stages_heat_map(renderings[0])));
+    report += formatted(
+        "heat maps: white is %llu tests a pixel (logarithmic); the deepest stage is filter (blue), "
+        "expansion (orange), exact (white)\n",
+        whole(greatest_tests(renderings[0])));
+    written += ", " + beside(o.out, ".tests.png") + ", " + beside(o.out, ".stages.png");
+  }
   if (methods.size() == 2) {
     const Findings f = examine(world, methods[0], methods[1], renderings[0], renderings[1], depth, o.max_cases);
     stats["difference"] = to_json(f, methods[0], methods[1]);
@@ -224,6 +245,12 @@ int run(const Options& o) {
     report += describe(f, o, renderings[0].image.pixels.size());
     written += ", " + beside(o.out, ".diff.png") + ", " + beside(o.out, ".cases.jsonl") + " (" +
                std::to_string(f.cases.size()) + " cases)";
+  }
+  if (!o.pov.empty()) {
+    const World triangles = make_world(scene, world.format, Accel::bvh, Faces::triangulated);
+    write_file(o.pov, to_pov(triangles, depth));
+    write_file(beside(o.pov, ".ids.png"), to_png(ids_image(triangles, methods[0])));
+    written += ", " + o.pov + ", " + beside(o.pov, ".ids.png");
   }
   if (!o.stats.empty()) write_file(o.stats, stats.dump(2) + "\n");
   print(report + "\nwritten: " + written + (o.stats.empty() ? "" : ", " + o.stats) + "\n");
@@ -244,6 +271,8 @@ Action declare_render(CLI::App& app) {
       ->check(CLI::IsMember({"none", "boxes", "bvh"}))
       ->capture_default_str();
   app.add_option("--threads", o->threads, "worker threads")->check(CLI::Range(1u, 1024u))->capture_default_str();
+  app.add_option("--export-pov", o->pov, "the scene for POV-Ray, and beside it the solid each pixel sees (.ids.png)");
+  app.add_flag("--heat", o->heat, "also what each pixel cost: NAME.tests.png and NAME.stages.png");
   app.add_flag("--triangulate", o->triangulate,
                "polygonal faces as triangles (as they always are for methods without a polygon test)");
   app.add_option("--max-cases", o->max_cases, "at most so many cases with --against")->capture_default_str();

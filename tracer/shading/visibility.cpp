@@ -30,6 +30,7 @@ Answer Visibility::ask_counted(const P& probe, std::uint32_t id) {
   const bool polygon = world_.polygon_of[id] >= 0;
   ++(polygon ? tally_.polygon_tests : tally_.triangle_tests);
   (polygon ? tally_.polygon_hits : tally_.triangle_hits) += hit;
+  ++tally_.by_stage[static_cast<std::size_t>(answer.stage)];
   return answer;
 }
 
