@@ -125,8 +125,15 @@ void add_class_gaps(Certificate& c) {
   }
 }
 
-/// A stage that no answer of a class came from. A vanishing sign is never certified by a filter; and where a filter
-/// can always reject before it meets one, later stages are not reached.
+/// Why no answer to a class came from a stage; nothing if it should have. A filter certifies no vanishing sign, so a
+/// class that has one can leave it only where another sign rejects first. The last stage is for operands too wide for
+/// the one before, and few families are that wide.
+std::string reason_of(Stage stage, ClassId id) {
+  if (stage == Stage::filter && !is_generic(id)) return "a sign of the class vanishes, and no filter certifies a zero";
+  if (stage == Stage::exact) return "no case of the class was too wide for the stage before";
+  return "";
+}
+
 void add_stage_gaps(Certificate& c) {
   for (const Format format : {Format::binary64, Format::binary32}) {
     if (c.coverage.classes(format) == 0) continue;
@@ -135,7 +142,9 @@ void add_stage_gaps(Certificate& c) {
       if (c.coverage.classes(format, stage) == 0) c.gaps.push_back({where, "no answer came from this stage", false});
       for (ClassId id = 1; id <= class_count; ++id) {
         if (c.coverage.at(format, id).judged() == 0 || c.coverage.at(format, id).at(stage) > 0) continue;
-        c.gaps.push_back({where + " " + class_name(id), "no answer to this class came from this stage", true});
+        const std::string reason = reason_of(stage, id);
+        c.gaps.push_back({where + " " + class_name(id), reason.empty() ? "no answer came from this stage" : reason,
+                          !reason.empty()});
       }
     }
   }

@@ -11,7 +11,7 @@ std::span<const Family> all_families() {
   static const std::array table = {
       affine_family(),   ulp_family(),    offset_family(),  scale_family(),    zeros_family(),
       midpoint_family(), sliver_family(), grazing_family(), distance_family(), near_family(),
-      flip_family(),     shared_family(), mesh_family(),
+      flip_family(),     shared_family(), mesh_family(),    tilt_family(),
   };
   return table;
 }

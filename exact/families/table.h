@@ -18,5 +18,6 @@ Family near_family();
 Family flip_family();
 Family shared_family();
 Family mesh_family();
+Family tilt_family();
 
 }  // namespace tribunal
