@@ -258,18 +258,19 @@ def validation_scenes():
                                                         [3, 5, 4], [3, 4, 0]],
             "colour": [1, 1, 1], "ambient": 0, "diffuse": 1, "specular": 1, "reflection": 0.5}],
           [{"position": [1024 + x, 1024 + y, 1024 + z], "colour": [9, 9, 9]} for x, y, z in
-           ([3, 0.5, 0.25], [-3, 0.5, 0.25], [0, 0, 3], [0, 0.25, -3], [0, -1.000000001, 0], [0, 4, 0])], [0, 0, 0], 3)
+           ([3, 0.5, 0.25], [-3, 0.5, 0.25], [0, 0, 3], [0, 0.25, -3], [0, -1 - 2**-13, 0], [0, 4, 0])], [0, 0, 0], 3)
     write("inside-mesh", "A camera inside a closed mesh, a bright magenta world outside. No ray may escape: magenta "
           "must not be seen, directly, by reflection or through the wall.",
           camera([-0.0625, -0.1875, 0], [0.05, 0, 0.125], 110, (240, 240)),
           [{"name": "elephant", "mesh": "../meshes/elephant.off", "colour": [0.75, 0.72, 0.7], "ambient": 0.2,
             "diffuse": 0.7, "specular": 0, "reflection": 0.4}],
           [{"position": [0, -0.09375, 0.03125], "colour": [1, 0.95, 0.9]}], [1, 0, 1], 3)
-    rim = [[64 * math.cos(2 * math.pi * i / 720), 64 * math.sin(2 * math.pi * i / 720), 0] for i in range(720)]
-    write("slivers", "A disc as a fan of 720 slivers over a bright magenta world; rays run along their edges and through "
-          "the hub. Must be seen: a grey disc without magenta specks, its hub exactly under a pixel.",
-          camera([0, 0, 128], [0, 0, 0], size=(241, 241), view_height=241 / 256),
-          [{"name": "fan", "vertices": [[0, 0, 0]] + [[round(x * 2**20) / 2**20, round(y * 2**20) / 2**20, z]
+    rim = [[64 * math.cos(2 * math.pi * i / 720), 64 * math.sin(2 * math.pi * i / 720), -3 * (i % 2)]
+           for i in range(720)]
+    write("slivers", "A crinkled cone of 720 slivers, seen along its axis from 64 diameters away over a bright magenta world. "
+          "The hub is exactly under a pixel, edges run along rays. Must be seen: a grey disc, its crinkles as moire, without magenta specks.",
+          camera([0, 0, 8192], [0, 0, 0], size=(241, 241), view_height=241 / 16384),
+          [{"name": "fan", "vertices": [[0, 0, 8]] + [[round(x * 2**17) / 2**17, round(y * 2**17) / 2**17, z]
                                                       for x, y, z in rim],
             "faces": [[0, i + 1, (i + 1) % 720 + 1] for i in range(720)], "colour": [0.5, 0.5, 0.5], "ambient": 0.4,
             "diffuse": 0.6, "specular": 0}],
