@@ -4,6 +4,8 @@
 
 #include "exact/harness/counterexample.h"
 #include "exact/methods.h"
+#include "exact/polygon/fuzz.h"
+#include "exact/polygon/judge.h"
 #include "tracer/shading/camera_rays.h"
 
 namespace tribunal {
@@ -14,13 +16,13 @@ constexpr Pixel yellow = {255, 220, 0};
 
 std::vector<Decision> decisions_at(const World& world, const Method& method, const DifferingPixel& pixel, int depth) {
   std::vector<Decision> log;
-  Tally uncounted;
+  RayTally uncounted;
   WhittedTracer tracer(world, method, uncounted, &log);
   tracer.trace(CameraRays(world.scene->camera).through(pixel.column, pixel.row), depth);
   return log;
 }
 
-/// The triangles that either method named first, then all that the tree offers: a wrong hit is the better evidence.
+/// The faces that either method named first, then all that the tree offers: a wrong hit is the better evidence.
 std::vector<std::uint32_t> suspects(const World& world, const Decision& a, const Decision& b) {
   std::vector<std::uint32_t> ids;
   if (a.kind != RayKind::shadow) {
@@ -31,6 +33,26 @@ std::vector<std::uint32_t> suspects(const World& world, const Decision& a, const
   const std::vector<std::uint32_t> all = candidates(world, a.probe);
   ids.insert(ids.end(), all.begin(), all.end());
   return ids;
+}
+
+bool same(const Decision& a, const Decision& b) {
+  if (a.kind != b.kind || a.probe.index() != b.probe.index()) return false;
+  if (const Ray* r = std::get_if<Ray>(&a.probe)) {
+    return r->o == std::get<Ray>(b.probe).o && r->d.v == std::get<Ray>(b.probe).d.v;
+  }
+  return std::get<Segment>(a.probe).p == std::get<Segment>(b.probe).p;
+}
+
+std::string id_of(const DifferingPixel& pixel, const Parting& parting, bool polygon) {
+  return "px-" + std::to_string(pixel.column) + "-" + std::to_string(pixel.row) + "-" +
+         std::string(name_of(parting.kind)) + (polygon ? "-face" : "-tri") + std::to_string(*parting.face);
+}
+
+std::string source_of(const World& world, const Method& a, const Method& b, const DifferingPixel& pixel,
+                      const Parting& parting) {
+  return world.scene->file + ", pixel " + std::to_string(pixel.column) + "," + std::to_string(pixel.row) + ", " +
+         std::string(name_of(parting.kind)) + " ray, solid \"" +
+         world.scene->solids[world.solid_of[*parting.face]].name + "\": " + a.name + " against " + b.name;
 }
 
 }  // namespace
@@ -55,18 +77,18 @@ Image difference_image(const Image& image, const std::vector<DifferingPixel>& pi
   return marked;
 }
 
-/// Up to the first different outcome both logs hold the same questions, since all else is shared arithmetic.
 std::optional<Parting> parting_at(const World& world, const Method& a, const Method& b, const DifferingPixel& pixel,
                                   int depth) {
   const std::vector<Decision> of_a = decisions_at(world, a, pixel, depth);
   const std::vector<Decision> of_b = decisions_at(world, b, pixel, depth);
+  RayTally uncounted;
+  const Visibility eye_a(world, a, uncounted), eye_b(world, b, uncounted);
   for (std::size_t i = 0; i < std::min(of_a.size(), of_b.size()); ++i) {
-    if (of_a[i].outcome == of_b[i].outcome) continue;
-    Parting parting{of_a[i].kind, of_a[i].probe, std::nullopt};
+    if (of_a[i].outcome == of_b[i].outcome && of_a[i].kind == of_b[i].kind) continue;
+    Parting parting{of_a[i].kind, of_a[i].probe, std::nullopt, !same(of_a[i], of_b[i])};
     for (const std::uint32_t id : suspects(world, of_a[i], of_b[i])) {
-      const Triangle& t = world.triangles[id];
-      if (sees(a, parting.probe, t) == sees(b, parting.probe, t)) continue;
-      parting.triangle = id;
+      if (eye_a.sees(parting.probe, id) == eye_b.sees(parting.probe, id)) continue;
+      parting.face = id;
       break;
     }
     return parting;
@@ -74,22 +96,26 @@ std::optional<Parting> parting_at(const World& world, const Method& a, const Met
   return std::nullopt;
 }
 
-Case to_case(const World& world, const Method& a, const Method& b, const DifferingPixel& pixel,
-             const Parting& parting) {
-  const std::string place = std::to_string(pixel.column) + "-" + std::to_string(pixel.row);
-  Case c;
-  c.id = "px-" + place + "-" + std::string(name_of(parting.kind)) + "-tri" + std::to_string(*parting.triangle);
-  c.format = world.format;
-  c.query = {parting.probe, world.triangles[*parting.triangle]};
+AnyCase to_case(const World& world, const Method& a, const Method& b, const DifferingPixel& pixel,
+                const Parting& parting) {
+  const std::string source = source_of(world, a, b, pixel, parting);
+  if (const PolygonData* polygon = world.polygon(*parting.face)) {
+    PolygonCase c{id_of(pixel, parting, true), world.format, {parting.probe, *polygon}, {}, source, {}};
+    const PolygonTruth truth = exact_truth(c.query);
+    c.expect = truth.hit();
+    for (const Method* m : {&a, &b}) {
+      if (judge(*m, truth, m->ask(c.query)) == Judgement::wrong) c.finding = finding_of(*m, c.query, truth);
+    }
+    return c;
+  }
+  Case c{.id = id_of(pixel, parting, false), .format = world.format, .source = source};
+  c.query = {parting.probe, world.triangles[*parting.face]};
   const Truth truth = exact_truth(c.query);
   c.expect = truth.hit();
   for (const Method* m : {&a, &b}) {
     const Answer answer = m->ask(c.query);
     if (judge(*m, truth, answer) == Judgement::wrong) c.finding = finding_of(*m, c.query, c.format, truth, answer);
   }
-  c.source = world.scene->file + ", pixel " + std::to_string(pixel.column) + "," + std::to_string(pixel.row) + ", " +
-             std::string(name_of(parting.kind)) + " ray, solid \"" +
-             world.scene->solids[world.solid_of[*parting.triangle]].name + "\": " + a.name + " against " + b.name;
   return c;
 }
 

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "core/answer.h"
+
 namespace tribunal {
 
 enum class RayKind : std::uint8_t { primary, shadow, reflection, refraction };
@@ -19,14 +21,22 @@ constexpr std::string_view name_of(RayKind k) {
 }
 
 /// Counts of one thread; the caller owns them and adds them up. Indexed by RayKind where there are four.
-struct Tally {
+struct RayTally {
   std::array<std::uint64_t, 4> rays{};      ///< rays cast; a shadow ray is a segment
   std::array<std::uint64_t, 4> ray_hits{};  ///< of these, those that met something
   std::uint64_t box_tests = 0;
-  std::uint64_t triangle_tests = 0;
-  std::uint64_t triangle_hits = 0;
+  std::uint64_t triangle_tests = 0, triangle_hits = 0;
+  std::uint64_t polygon_tests = 0, polygon_hits = 0;
 
-  Tally& operator+=(const Tally& t) {
+  std::array<std::uint64_t, stage_count> by_stage{};  ///< answers to those tests by the stage that gave them
+
+  // Of the search for proved starts (departure.h), whose tests are counted here and not above.
+  std::uint64_t starts = 0;            ///< starts of secondary rays that were wanted
+  std::uint64_t start_candidates = 0;  ///< points that were tried
+  std::uint64_t start_tests = 0;       ///< primitives tested for them
+  std::uint64_t starts_unproved = 0;   ///< where no candidate could be proved
+
+  RayTally& operator+=(const RayTally& t) {
     for (std::size_t k = 0; k < rays.size(); ++k) {
       rays[k] += t.rays[k];
       ray_hits[k] += t.ray_hits[k];
@@ -34,8 +44,18 @@ struct Tally {
     box_tests += t.box_tests;
     triangle_tests += t.triangle_tests;
     triangle_hits += t.triangle_hits;
+    polygon_tests += t.polygon_tests;
+    polygon_hits += t.polygon_hits;
+    for (std::size_t s = 0; s < by_stage.size(); ++s) by_stage[s] += t.by_stage[s];
+    starts += t.starts;
+    start_candidates += t.start_candidates;
+    start_tests += t.start_tests;
+    starts_unproved += t.starts_unproved;
     return *this;
   }
+
+  std::uint64_t tests() const { return triangle_tests + polygon_tests; }
+  std::uint64_t hits() const { return triangle_hits + polygon_hits; }
 
   std::uint64_t all_rays() const { return rays[0] + rays[1] + rays[2] + rays[3]; }
 };

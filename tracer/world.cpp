@@ -1,40 +1,110 @@
 #include "tracer/world.h"
 
 #include <cmath>
+#include <glm/geometric.hpp>
 
+#include "exact/filtered/filtered_kernel.h"
 #include "exact/io/failure.h"
+#include "tracer/mesh/triangulate.h"
 
 namespace tribunal {
 namespace {
 
-struct Triangles {
-  std::vector<Triangle> list;
-  std::vector<std::uint32_t> solid_of;
-};
-
-Triangles gather(const Scene& scene, Format format) {
-  Triangles all;
-  for (std::uint32_t s = 0; s < scene.solids.size(); ++s) {
-    const Mesh& mesh = scene.solids[s].mesh;
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-      const Triangle t = mesh.triangle(i);
-      const Triangle rounded{in_format(t.a, format), in_format(t.b, format), in_format(t.c, format)};
-      if (!is_finite(rounded)) {
-        throw bad_input(scene.file, 0,
-                        "solids[" + std::to_string(s) +
-                            "]: a vertex is beyond binary32, expected one that the method can represent");
-      }
-      all.list.push_back(rounded);
-      all.solid_of.push_back(s);
-    }
-  }
-  return all;
+/// Twice the area vector of a ring, in double.
+Point3 area_vector(Ring ring) {
+  Point3 sum(0);
+  for (std::size_t i = 1; i + 1 < ring.size(); ++i) sum += glm::cross(ring[i] - ring[0], ring[i + 1] - ring[0]);
+  return sum;
 }
 
-double greatest_coordinate(const std::vector<Triangle>& triangles) {
+/// The largest triangle (o, pᵢ, pᵢ₊₁) of the outer ring, turned as the ring is: the best conditioned one to speak for
+/// the plane.
+Triangle spanning_triangle(const PolygonData& polygon) {
+  const Ring ring = Polygon(polygon).ring(0);
+  Triangle best{ring[0], ring[0], ring[0]};
+  Point3 normal(0);
+  for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
+    const Point3 n = glm::cross(ring[i] - ring[0], ring[i + 1] - ring[0]);
+    if (glm::dot(n, n) > glm::dot(normal, normal)) normal = n, best = {ring[0], ring[i], ring[i + 1]};
+  }
+  if (glm::dot(normal, area_vector(ring)) < 0) std::swap(best.b, best.c);
+  return best;
+}
+
+/// Exact. The triangle must have area, or the polygon does not count as planar: it is then hit nowhere, or not flat.
+bool lies_in_plane(const PolygonData& polygon, const Triangle& t) {
+  const FilteredKernel k;
+  const bool spans = std::any_of(std::begin(all_axes), std::end(all_axes),
+                                 [&](Axis axis) { return k.orient2d(axis, t.a, t.b, t.c) != Sign::zero; });
+  return spans && std::all_of(polygon.vertices.begin(), polygon.vertices.end(),
+                              [&](const Point3& v) { return k.orient3d(t.a, t.b, t.c, v) == Sign::zero; });
+}
+
+/// Fills the lists of a world, solid by solid.
+class Gatherer {
+ public:
+  Gatherer(World& world, Faces faces) : world_(world), faces_(faces) {}
+
+  void add(std::uint32_t solid) {
+    const Mesh& mesh = world_.scene->solids[solid].mesh;
+    std::vector<Point3> points;
+    points.reserve(mesh.vertices.size());
+    for (const Point3& v : mesh.vertices) points.push_back(rounded(v, solid));
+    for (const auto& t : mesh.triangles) add_triangle(points, t, solid);
+    for (std::size_t f = 0; f < mesh.polygons.size(); ++f) add_face(points, mesh.polygons[f], f, solid);
+  }
+
+ private:
+  [[noreturn]] void fail(std::uint32_t solid, const std::string& what) const {
+    throw bad_input(world_.scene->file, 0, "solids[" + std::to_string(solid) + "]: " + what);
+  }
+
+  Point3 rounded(const Point3& v, std::uint32_t solid) const {
+    const Point3 p = in_format(v, world_.format);
+    if (!is_finite(p)) fail(solid, "a vertex is beyond binary32, expected one that the method can represent");
+    return p;
+  }
+
+  void add(const Triangle& t, std::int32_t polygon, std::uint32_t solid) {
+    world_.triangles.push_back(t);
+    world_.polygon_of.push_back(polygon);
+    world_.solid_of.push_back(solid);
+  }
+
+  void add_triangle(const std::vector<Point3>& points, const std::array<std::uint32_t, 3>& t, std::uint32_t solid) {
+    add(Triangle{points[t[0]], points[t[1]], points[t[2]]}, -1, solid);
+  }
+
+  void add_face(const std::vector<Point3>& points, const Rings& face, std::size_t number, std::uint32_t solid) {
+    PolygonData polygon;
+    for (const auto& indices : face) {
+      std::vector<Point3> ring;
+      for (const std::uint32_t i : indices) ring.push_back(points[i]);
+      polygon.add(ring);
+    }
+    const Triangle plane = spanning_triangle(polygon);
+    if (faces_ == Faces::polygons && lies_in_plane(polygon, plane)) {
+      add(plane, static_cast<std::int32_t>(world_.polygons.size()), solid);
+      world_.polygons.push_back(std::move(polygon));
+      return;
+    }
+    const auto triangles = triangulate(face, points);
+    if (!triangles) {
+      fail(solid, "polygonal face " + std::to_string(number) +
+                      " is not planar, or must be triangulated for this method and its rings meet; expected "
+                      "simple, disjoint rings");
+    }
+    for (const auto& t : *triangles) add_triangle(points, t, solid);
+  }
+
+  World& world_;
+  Faces faces_;
+};
+
+double greatest_coordinate(const std::vector<Box>& boxes) {
   double greatest = 0;
-  for (const Triangle& t : triangles) {
-    for (const Point3& v : {t.a, t.b, t.c}) {
+  for (const Box& b : boxes) {
+    for (const Point3& v : {b.lo, b.hi}) {
       greatest = std::max({greatest, std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
     }
   }
@@ -43,11 +113,23 @@ double greatest_coordinate(const std::vector<Triangle>& triangles) {
 
 }  // namespace
 
-World make_world(const Scene& scene, Format format, Accel accel) {
-  Triangles all = gather(scene, format);
-  BoxTree tree(accel, all.list, all.solid_of);
-  const double step = scene.bias * greatest_coordinate(all.list);
-  return {&scene, format, std::move(all.list), std::move(all.solid_of), std::move(tree), step};
+World make_world(const Scene& scene, Format format, Accel accel, Faces faces) {
+  World world{.scene = &scene,
+              .format = format,
+              .triangles = {},
+              .solid_of = {},
+              .polygon_of = {},
+              .polygons = {},
+              .tree = BoxTree(Accel::none, {}, {}),
+              .step = 0};
+  Gatherer gatherer(world, faces);
+  for (std::uint32_t s = 0; s < scene.solids.size(); ++s) gatherer.add(s);
+  std::vector<Box> boxes;
+  boxes.reserve(world.triangles.size());
+  for (std::uint32_t i = 0; i < world.triangles.size(); ++i) boxes.push_back(world.box(i));
+  world.step = scene.bias * greatest_coordinate(boxes);
+  world.tree = BoxTree(accel, std::move(boxes), world.solid_of);
+  return world;
 }
 
 }  // namespace tribunal

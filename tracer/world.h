@@ -9,7 +9,11 @@
 
 namespace tribunal {
 
-/// All triangles of a scene in one list, in file order, and the boxes over them. The scene must outlive it.
+/// All faces of a scene in one list, in file order (of each solid the triangles first), and the boxes over them. The
+/// scene must outlive it.
+///
+/// A face that is no triangle is a polygon here iff its vertices, as the world has them, lie in one plane exactly;
+/// otherwise its triangles are the surface, as they are of all faces if the world is made triangulated.
 ///
 /// If a method that sees this world computes in binary32, the format is binary32: vertices are rounded once, here, and
 /// every probe before any method sees it. Two methods in comparison share one world, so no difference between them
@@ -17,15 +21,24 @@ namespace tribunal {
 struct World {
   const Scene* scene;
   Format format;
-  std::vector<Triangle> triangles;
+  std::vector<Triangle> triangles;  ///< of face i: itself, or three vertices of the polygon that span its plane
   std::vector<std::uint32_t> solid_of;
+  std::vector<std::int32_t> polygon_of;  ///< of face i: an index into polygons, −1 for triangles
+  std::vector<PolygonData> polygons;
   BoxTree tree;
-  double step;  ///< by which secondary rays leave a surface: bias × the greatest |coordinate|
+  double step;  ///< by which inexact methods' secondary rays leave a surface: bias × the greatest |coordinate|
+
+  const PolygonData* polygon(std::uint32_t id) const {
+    return polygon_of[id] < 0 ? nullptr : &polygons[static_cast<std::size_t>(polygon_of[id])];
+  }
+  Box box(std::uint32_t id) const { return polygon(id) ? box_of(*polygon(id)) : box_of(triangles[id]); }
 
   const Material& material_of(std::uint32_t id) const { return scene->solids[solid_of[id]].material; }
 };
 
-/// Fails with Exit::bad_input if a vertex overflows binary32.
-World make_world(const Scene& scene, Format format, Accel accel);
+enum class Faces : std::uint8_t { polygons, triangulated };
+
+/// Fails with Exit::bad_input if a vertex overflows binary32, or a face that must be triangulated cannot be.
+World make_world(const Scene& scene, Format format, Accel accel, Faces faces = Faces::polygons);
 
 }  // namespace tribunal

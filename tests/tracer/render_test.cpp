@@ -25,9 +25,9 @@ Solid square(double z, double half, const Colour& glow) {
   return s;
 }
 
-Colour traced(const Scene& scene, const Ray& ray, int depth, Tally* counts = nullptr) {
+Colour traced(const Scene& scene, const Ray& ray, int depth, RayTally* counts = nullptr) {
   const World world = make_world(scene, Format::binary64, Accel::bvh);
-  Tally tally;
+  RayTally tally;
   const Colour c = WhittedTracer(world, method("sf-epeck"), tally).trace(ray, depth);
   if (counts) *counts = tally;
   return c;
@@ -48,7 +48,7 @@ TEST(Whitted, FacingMirrorsStopAtTheDepth) {
   scene.solids = {square(0, 4, {0, 0, 0}), square(10, 4, {0, 0, 0})};
   for (Solid& s : scene.solids) s.material.reflection = 1;
   for (const int depth : {1, 2, 5, 16}) {
-    Tally tally;
+    RayTally tally;
     traced(scene, {{0.1, 0.2, 5}, {{0, 0, -1}}}, depth, &tally);
     EXPECT_EQ(tally.rays[static_cast<int>(RayKind::reflection)], static_cast<std::uint64_t>(depth - 1));
   }
@@ -90,7 +90,7 @@ TEST(Whitted, TotalInternalReflectionKeepsTheShare) {
   scene.solids = {square(0, 100, {0, 0, 0}), square(-5, 100, {0, 0, 1})};
   scene.solids[0].material.transparency = 1;
   scene.solids[0].material.refractive_index = 1.5;
-  Tally tally;
+  RayTally tally;
   const Colour c = traced(scene, {{0.1, 0.2, -1}, {{1, 0, 1}}}, 3, &tally);
   EXPECT_EQ(c.b, 1) << "sees the glowing square below, reflected";
   EXPECT_EQ(c.r, 0);
@@ -195,7 +195,7 @@ TEST(World, RoundsToBinary32OrRefuses) {
 /// Every exported case is one on which the two methods really differ, in the format that both were given.
 TEST(Compare, CasesShowTheDifference) {
   const Scene scene = read_scene("data/scenes/cube-grid.json");
-  const World world = make_world(scene, Format::binary32, Accel::bvh);
+  const World world = make_world(scene, Format::binary32, Accel::bvh, Faces::triangulated);
   const Method &naive = method("mt-float"), &exact = method("sf-rational");
   const Rendering a = render(world, naive, {1, 2}), b = render(world, exact, {1, 2});
   const std::vector<DifferingPixel> pixels = differing_pixels(a, b);
@@ -204,8 +204,8 @@ TEST(Compare, CasesShowTheDifference) {
   for (std::size_t i = 0; i < 60; ++i) {
     const auto parting = parting_at(world, naive, exact, pixels[i], 1);
     ASSERT_TRUE(parting);
-    if (!parting->triangle) continue;
-    const Case c = to_case(world, naive, exact, pixels[i], *parting);
+    if (!parting->face) continue;
+    const Case c = std::get<Case>(to_case(world, naive, exact, pixels[i], *parting));
     EXPECT_NE(naive.ask(c.query).hit, exact.ask(c.query).hit) << c.id;
     EXPECT_EQ(to_case(from_case(c), Where{"test"}).id, c.id) << "the reader accepts it, binary32 coordinates and all";
     ++cases;
@@ -223,7 +223,7 @@ TEST(Compare, AMethodDoesNotDifferFromItself) {
 int cracks(const World& world, const Method& m) {
   const Camera& c = world.scene->camera;
   const CameraRays camera(c);
-  Tally tally;
+  RayTally tally;
   Visibility eye(world, m, tally);
   int seen = 0;
   for (int i = 0; i < c.width * c.height; ++i) {
@@ -239,7 +239,7 @@ int cracks(const World& world, const Method& m) {
 
 TEST(Render, ExactMethodsLeaveNoCracks) {
   const Scene scene = read_scene("data/scenes/cube-grid.json");
-  const World world = make_world(scene, Format::binary32, Accel::bvh);
+  const World world = make_world(scene, Format::binary32, Accel::bvh, Faces::triangulated);
   EXPECT_EQ(cracks(world, method("sf-epeck")), 0);
   EXPECT_GT(cracks(world, method("mt-float")), 0) << "the scene has no teeth";
 }

@@ -98,7 +98,7 @@ struct Worlds {
 
 TEST(BoxTree, FirstHitIsThatOfBruteForce) {
   const Method& m = method("sf-epeck");
-  Tally tally;
+  RayTally tally;
   int hits = 0;
   for (std::uint64_t seed = 0; seed < 8; ++seed) {
     const Scene scene = nasty_scene(seed);
@@ -118,7 +118,7 @@ TEST(BoxTree, FirstHitIsThatOfBruteForce) {
 
 TEST(BoxTree, ShadowsAreThoseOfBruteForce) {
   const Method& m = method("sf-epeck");
-  Tally tally;
+  RayTally tally;
   int blocked = 0;
   for (std::uint64_t seed = 0; seed < 8; ++seed) {
     const Scene scene = nasty_scene(seed);
@@ -155,7 +155,7 @@ TEST(BoxTree, HandlesManyEqualBoxesAndHugeOnes) {
   for (int i = 0; i < 500; ++i) s.mesh.triangles.push_back({6, 7, 8});
   scene.solids = {s};
   const Worlds w(scene);
-  Tally tally;
+  RayTally tally;
   const Ray ray{{0, 0.25, 9}, {{0, 0, -1}}};
   EXPECT_EQ(Visibility(w.bvh, method("sf-rational"), tally).first_hit(ray), 8u) << "lowest id of the equal ones";
   EXPECT_EQ(Visibility(w.none, method("sf-rational"), tally).first_hit(ray), 8u);
@@ -169,7 +169,7 @@ TEST(BoxTree, PrimitiveOrderDoesNotMove) {
   const World w = make_world(scene, Format::binary64, Accel::bvh);
   const World v = make_world(reversed, Format::binary64, Accel::bvh);
   const Method& m = method("sf-epeck");
-  Tally tally;
+  RayTally tally;
   Visibility forward(w, m, tally), backward(v, m, tally);
   Random random(5);
   for (int i = 0; i < 400; ++i) {

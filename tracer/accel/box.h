@@ -26,7 +26,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "core/query.h"
+#include "core/polygon.h"
 
 namespace tribunal {
 
@@ -50,6 +50,12 @@ struct Box {
 inline Box box_of(const Triangle& t) {
   Box b;
   for (const Point3& v : {t.a, t.b, t.c}) b.add(v);
+  return b;
+}
+
+inline Box box_of(const Polygon& polygon) {
+  Box b;
+  for (const Point3& v : polygon.vertices) b.add(v);
   return b;
 }
 

@@ -52,13 +52,10 @@ int best_cut(const std::array<Bin, bins>& bin) {
 
 }  // namespace
 
-BoxTree::BoxTree(Accel mode, std::span<const Triangle> triangles, std::span<const std::uint32_t> solid_of)
-    : ids_(triangles.size()) {
+BoxTree::BoxTree(Accel mode, std::vector<Box> boxes, std::span<const std::uint32_t> solid_of)
+    : ids_(boxes.size()), boxes_(std::move(boxes)) {
   std::iota(ids_.begin(), ids_.end(), 0u);
-  nodes_.push_back({Box(), 0, static_cast<std::uint32_t>(triangles.size()), true});
-  if (mode == Accel::none) return;
-  boxes_.reserve(triangles.size());
-  for (const Triangle& t : triangles) boxes_.push_back(box_of(t));
+  nodes_.push_back({Box(), 0, static_cast<std::uint32_t>(ids_.size()), true});
   if (mode == Accel::boxes) make_solid_boxes(solid_of);
   if (mode == Accel::bvh) split(0, 0);
   boxes_ = {};

@@ -1,4 +1,4 @@
-// Which triangles a probe may meet: all of them, those of the solids whose box it meets, or those of a tree of boxes.
+// Which faces a probe may meet: all of them, those of the solids whose box it meets, or those of a tree of boxes.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace tribunal {
 
-/// `none`: every triangle is tested; `boxes`: one box a solid, as in the paper; `bvh`: a binary tree of boxes.
+/// `none`: every face is tested; `boxes`: one box a solid, as in the paper; `bvh`: a binary tree of boxes.
 enum class Accel : std::uint8_t { none, boxes, bvh };
 
 constexpr std::string_view name_of(Accel a) {
@@ -21,12 +21,12 @@ constexpr std::string_view name_of(Accel a) {
   return names[static_cast<int>(a)];
 }
 
-/// A tree of boxes over triangles, of any shape; the three modes are three shapes, and one traversal serves all.
-/// Law: every triangle that a probe exactly meets at t ≤ limit is visited. It may over-report, never under-report.
+/// A tree of boxes over primitives, of any shape; the three modes are three shapes, and one traversal serves all.
+/// Law: every primitive that a probe exactly meets at t ≤ limit is visited. It may over-report, never under-report.
 class BoxTree {
  public:
-  /// Primitive ids are indices into `triangles`; those of one solid follow each other, `solid_of` ascending.
-  BoxTree(Accel mode, std::span<const Triangle> triangles, std::span<const std::uint32_t> solid_of);
+  /// Primitive ids are indices into `boxes`; those of one solid follow each other, `solid_of` ascending.
+  BoxTree(Accel mode, std::vector<Box> boxes, std::span<const std::uint32_t> solid_of);
 
   /// Room for a traversal, one a thread.
   using Stack = std::vector<std::pair<double, std::uint32_t>>;
@@ -34,7 +34,7 @@ class BoxTree {
   /// Calls visit(id) for candidates, nearer boxes first, until it returns true. Boxes that begin beyond `limit` are
   /// skipped; visit may lower it on the way.
   template <class Visit>
-  void traverse(const BoxProbe& probe, const double& limit, Stack& stack, Tally& tally, const Visit& visit) const {
+  void traverse(const BoxProbe& probe, const double& limit, Stack& stack, RayTally& tally, const Visit& visit) const {
     stack.assign(1, {0.0, 0});
     while (!stack.empty()) {
       const auto [entry, index] = stack.back();
@@ -61,7 +61,7 @@ class BoxTree {
     bool leaf = true;
   };
 
-  void push_children(const Node& node, const BoxProbe& probe, double limit, Stack& stack, Tally& tally) const {
+  void push_children(const Node& node, const BoxProbe& probe, double limit, Stack& stack, RayTally& tally) const {
     const std::size_t old = stack.size();
     for (std::uint32_t child = node.first; child < node.first + node.count; ++child) {
       ++tally.box_tests;
@@ -77,7 +77,7 @@ class BoxTree {
 
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> ids_;
-  std::vector<Box> boxes_;  ///< of each triangle; only while building
+  std::vector<Box> boxes_;  ///< of each primitive; only while building
 };
 
 }  // namespace tribunal

@@ -9,6 +9,7 @@
 #include "exact/io/files.h"
 #include "tracer/cli/command.h"
 #include "tracer/mesh/read_mesh.h"
+#include "tracer/mesh/triangulate.h"
 
 namespace tribunal {
 namespace {
@@ -33,7 +34,7 @@ std::vector<std::string> budget_names() {
 const Budget& budget_named(const std::string& name) { return *std::ranges::find(budgets, name, &Budget::name); }
 
 Family family_of_mesh(const std::string& path) {
-  const Mesh mesh = read_mesh(path);
+  const Mesh mesh = triangulated(read_mesh(path), path);
   std::vector<Triangle> triangles;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) triangles.push_back(mesh.triangle(i));
   if (triangles.empty()) throw bad_input(path, 0, "holds no faces");

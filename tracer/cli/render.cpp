@@ -7,17 +7,20 @@
 #include "exact/io/files.h"
 #include "tracer/cli/command.h"
 #include "tracer/compare.h"
+#include "tracer/image/heat_map.h"
+#include "tracer/pov/export_pov.h"
 #include "tracer/scene/read_scene.h"
 
 namespace tribunal {
 namespace {
 
 struct Options {
-  std::string scene, method, against, out, stats;
+  std::string scene, method, against, out, stats, pov;
   int depth = 0;  ///< 0: the scene's
   std::string accel = "bvh";
   unsigned threads = default_threads();
   std::size_t max_cases = 1000;
+  bool triangulate = false, heat = false;
 };
 
 /// What --against found.
@@ -25,8 +28,8 @@ struct Findings {
   std::vector<DifferingPixel> pixels;
   std::size_t colours = 0;               ///< pixels of another colour
   std::array<std::size_t, 4> by_kind{};  ///< by the kind of ray on which the methods part, of the pixels examined
-  std::size_t examined = 0, order_only = 0;
-  std::vector<Case> cases;
+  std::size_t examined = 0, order_only = 0, starts = 0;
+  std::vector<AnyCase> cases;
 };
 
 Method method_named(const std::string& name) {
@@ -59,8 +62,9 @@ Findings examine(const World& world, const Method& a, const Method& b, const Ren
     if (!parting) continue;
     ++f.examined;
     ++f.by_kind[static_cast<std::size_t>(parting->kind)];
-    f.order_only += !parting->triangle;
-    if (parting->triangle) f.cases.push_back(to_case(world, a, b, pixel, *parting));
+    f.order_only += !parting->face && !parting->other_start;
+    f.starts += !parting->face && parting->other_start;
+    if (parting->face) f.cases.push_back(to_case(world, a, b, pixel, *parting));
   }
   return f;
 }
@@ -71,7 +75,10 @@ double share(std::uint64_t part, std::uint64_t whole) {
   return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0;
 }
 
-Json to_json(const Method& method, const Tally& t) {
+/// Of all hits only the first on a ray needs its point, and none that blocks a light.
+std::uint64_t points_computed(const RayTally& t) { return t.ray_hits[0] + t.ray_hits[2] + t.ray_hits[3]; }
+
+Json to_json(const Method& method, const RayTally& t) {
   Json rays;
   for (const RayKind k : all_ray_kinds) {
     const auto i = static_cast<std::size_t>(k);
@@ -82,7 +89,20 @@ Json to_json(const Method& method, const Tally& t) {
           {"box_tests", t.box_tests},
           {"triangle_tests", t.triangle_tests},
           {"triangle_hits", t.triangle_hits},
-          {"hit_share", share(t.triangle_hits, t.triangle_tests)}};
+          {"polygon_tests", t.polygon_tests},
+          {"polygon_hits", t.polygon_hits},
+          {"hit_share", share(t.hits(), t.tests())},
+          {"answers_by_stage",
+           {{"unstaged", t.by_stage[0]},
+            {"filter", t.by_stage[1]},
+            {"expansion", t.by_stage[2]},
+            {"exact", t.by_stage[3]}}},
+          {"points_computed", points_computed(t)},
+          {"starts",
+           {{"wanted", t.starts},
+            {"candidates", t.start_candidates},
+            {"tests", t.start_tests},
+            {"unproved", method.exact ? Json(t.starts_unproved) : Json("all")}}}};
 }
 
 Json to_json(const Findings& f, const Method& a, const Method& b) {
@@ -94,13 +114,17 @@ Json to_json(const Findings& f, const Method& a, const Method& b) {
           {"pixels_of_other_colour", f.colours},
           {"examined", f.examined},
           {"parted_on", kinds},
+          {"parted_on_visibility", f.by_kind[0]},
+          {"parted_on_shadow", f.by_kind[1]},
+          {"parted_on_secondary", f.by_kind[2] + f.by_kind[3]},
           {"parted_on_order_only", f.order_only},
+          {"parted_on_start_only", f.starts},
           {"cases", f.cases.size()}};
 }
 
-std::string to_lines(const std::vector<Case>& cases) {
+std::string to_lines(const std::vector<AnyCase>& cases) {
   std::string lines;
-  for (const Case& c : cases) lines += from_case(c).dump() + "\n";
+  for (const AnyCase& any : cases) lines += std::visit([](const auto& c) { return from_case(c).dump(); }, any) + "\n";
   return lines;
 }
 
@@ -116,9 +140,11 @@ unsigned long long whole(std::uint64_t n) { return n; }
 
 std::string describe(const World& world, const Options& o, int depth) {
   const Camera& c = world.scene->camera;
-  std::string text = formatted("%s: %d x %d pixels, %zu solids, %zu triangles, %zu lights, depth %d, accel %s\n",
-                               o.scene.c_str(), c.width, c.height, world.scene->solids.size(), world.triangles.size(),
-                               world.scene->lights.size(), depth, o.accel.c_str());
+  const std::size_t polygons = world.polygons.size();
+  std::string text =
+      formatted("%s: %d x %d pixels, %zu solids, %zu triangles, %zu polygons, %zu lights, depth %d, accel %s\n",
+                o.scene.c_str(), c.width, c.height, world.scene->solids.size(), world.triangles.size() - polygons,
+                polygons, world.scene->lights.size(), depth, o.accel.c_str());
   if (world.format == Format::binary32) {
     text += "vertices and rays are rounded to binary32 before any method sees them: differences are the methods' own\n";
   }
@@ -127,23 +153,32 @@ std::string describe(const World& world, const Options& o, int depth) {
 
 std::string table_head() {
   return formatted("\n%-14s %9s %10s %11s %11s %12s %12s %7s %8s\n", "method", "primary", "shadow", "reflection",
-                   "refraction", "box tests", "tri tests", "hits", "seconds");
+                   "refraction", "box tests", "face tests", "hits", "seconds");
 }
 
 std::string table_row(const Method& m, const Rendering& r) {
-  const Tally& t = r.tally;
+  const RayTally& t = r.tally;
   return formatted("%-14s %9llu %10llu %11llu %11llu %12llu %12llu %6.1f%% %8.2f\n", m.name.c_str(), whole(t.rays[0]),
-                   whole(t.rays[1]), whole(t.rays[2]), whole(t.rays[3]), whole(t.box_tests), whole(t.triangle_tests),
-                   100 * share(t.triangle_hits, t.triangle_tests), r.seconds);
+                   whole(t.rays[1]), whole(t.rays[2]), whole(t.rays[3]), whole(t.box_tests), whole(t.tests()),
+                   100 * share(t.hits(), t.tests()), r.seconds);
+}
+
+/// What exact methods do about the starts of secondary rays.
+std::string describe_starts(const Method& m, const RayTally& t) {
+  if (!m.exact || t.starts == 0) return "";
+  return formatted("%s: %llu starts of secondary rays, %llu points tried, %llu face tests, %llu starts unproved\n",
+                   m.name.c_str(), whole(t.starts), whole(t.start_candidates), whole(t.start_tests),
+                   whole(t.starts_unproved));
 }
 
 std::string describe(const Findings& f, const Options& o, std::size_t pixels) {
   std::string text = formatted("\n%s against %s: %zu of %zu pixels differ in colour, %zu in some decision\n",
                                o.method.c_str(), o.against.c_str(), f.colours, pixels, f.pixels.size());
   if (f.pixels.empty()) return text;
-  text += formatted("first parting on a ray that is: primary %zu, shadow %zu, reflection %zu, refraction %zu",
-                    f.by_kind[0], f.by_kind[1], f.by_kind[2], f.by_kind[3]);
-  text += formatted("; only the order of hits differs: %zu\n", f.order_only);
+  text += formatted("they part on visibility: %zu, shadow: %zu, secondary rays: %zu (reflection %zu, refraction %zu)\n",
+                    f.by_kind[0], f.by_kind[1], f.by_kind[2] + f.by_kind[3], f.by_kind[2], f.by_kind[3]);
+  text += formatted("of these, only the order of hits differs: %zu; only the starts of the rays differ: %zu\n",
+                    f.order_only, f.starts);
   if (f.examined < f.pixels.size()) text += formatted("(of the first %zu pixels; see --max-cases)\n", f.examined);
   return text;
 }
@@ -165,11 +200,14 @@ int run(const Options& o) {
   if (o.out == "-") throw Failure(Exit::usage, "-o: expected a file name, found \"-\"");
   require_different(o.scene, o.out);
   if (!o.stats.empty()) require_different(o.scene, o.stats);
+  if (!o.pov.empty()) require_different(o.scene, o.pov);
   if (o.stats == o.out) throw Failure(Exit::usage, "--stats: the same file as -o");
   const Scene scene = read_scene(o.scene);
   const auto is_binary32 = [](const Method& m) { return m.format == Format::binary32; };
   const bool narrow = std::any_of(methods.begin(), methods.end(), is_binary32);
-  const World world = make_world(scene, narrow ? Format::binary32 : Format::binary64, accel_named(o.accel));
+  const bool takes_polygons = std::all_of(methods.begin(), methods.end(), [](const Method& m) { return m.polygon; });
+  const Faces faces = o.triangulate || !takes_polygons ? Faces::triangulated : Faces::polygons;
+  const World world = make_world(scene, narrow ? Format::binary32 : Format::binary64, accel_named(o.accel), faces);
   const int depth = o.depth > 0 ? o.depth : scene.depth;
 
   std::vector<Rendering> renderings;
@@ -177,7 +215,8 @@ int run(const Options& o) {
   Json stats = {{"scene", o.scene},
                 {"width", scene.camera.width},
                 {"height", scene.camera.height},
-                {"triangles", world.triangles.size()},
+                {"triangles", world.triangles.size() - world.polygons.size()},
+                {"polygons", world.polygons.size()},
                 {"fmt", name_of(world.format)},
                 {"accel", o.accel},
                 {"depth", depth}};
@@ -186,8 +225,18 @@ int run(const Options& o) {
     stats["methods"].push_back(to_json(methods[i], renderings[i].tally));
     report += table_row(methods[i], renderings[i]);
   }
+  for (std::size_t i = 0; i < methods.size(); ++i) report += describe_starts(methods[i], renderings[i].tally);
   write_file(o.out, to_png(renderings[0].image));
   std::string written = o.out;
+  if (o.heat) {
+    write_file(beside(o.out, ".tests.png"), to_png(tests_heat_map(renderings[0])));
+    write_file(beside(o.out, ".stages.png"), to_png(stages_heat_map(renderings[0])));
+    report += formatted(
+        "heat maps: white is %llu tests a pixel (logarithmic); the deepest stage is filter (blue), "
+        "expansion (orange), exact (white)\n",
+        whole(greatest_tests(renderings[0])));
+    written += ", " + beside(o.out, ".tests.png") + ", " + beside(o.out, ".stages.png");
+  }
   if (methods.size() == 2) {
     const Findings f = examine(world, methods[0], methods[1], renderings[0], renderings[1], depth, o.max_cases);
     stats["difference"] = to_json(f, methods[0], methods[1]);
@@ -196,6 +245,12 @@ int run(const Options& o) {
     report += describe(f, o, renderings[0].image.pixels.size());
     written += ", " + beside(o.out, ".diff.png") + ", " + beside(o.out, ".cases.jsonl") + " (" +
                std::to_string(f.cases.size()) + " cases)";
+  }
+  if (!o.pov.empty()) {
+    const World triangles = make_world(scene, world.format, Accel::bvh, Faces::triangulated);
+    write_file(o.pov, to_pov(triangles, depth));
+    write_file(beside(o.pov, ".ids.png"), to_png(ids_image(triangles, methods[0])));
+    written += ", " + o.pov + ", " + beside(o.pov, ".ids.png");
   }
   if (!o.stats.empty()) write_file(o.stats, stats.dump(2) + "\n");
   print(report + "\nwritten: " + written + (o.stats.empty() ? "" : ", " + o.stats) + "\n");
@@ -216,6 +271,10 @@ Action declare_render(CLI::App& app) {
       ->check(CLI::IsMember({"none", "boxes", "bvh"}))
       ->capture_default_str();
   app.add_option("--threads", o->threads, "worker threads")->check(CLI::Range(1u, 1024u))->capture_default_str();
+  app.add_option("--export-pov", o->pov, "the scene for POV-Ray, and beside it the solid each pixel sees (.ids.png)");
+  app.add_flag("--heat", o->heat, "also what each pixel cost: NAME.tests.png and NAME.stages.png");
+  app.add_flag("--triangulate", o->triangulate,
+               "polygonal faces as triangles (as they always are for methods without a polygon test)");
   app.add_option("--max-cases", o->max_cases, "at most so many cases with --against")->capture_default_str();
   return with_plugins(app, [o] { return run(*o); });
 }

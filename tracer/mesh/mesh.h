@@ -1,4 +1,4 @@
-// A triangle mesh in memory.
+// A mesh in memory: triangles, and faces that are hit as polygons.
 #pragma once
 
 #include <array>
@@ -10,11 +10,15 @@
 
 namespace tribunal {
 
-/// Vertices in the file's own units and triangles as three indices into them, all in range and all coordinates
-/// finite. Repeated and degenerate triangles are allowed: a face without area is never hit.
+/// The rings of a polygonal face as vertex indices, the outer one first, then the holes.
+using Rings = std::vector<std::vector<std::uint32_t>>;
+
+/// Vertices in the file's own units; triangles as three indices into them, other faces as rings of indices. All in
+/// range, all coordinates finite. Repeated and degenerate faces are allowed: a face without area is never hit.
 struct Mesh {
   std::vector<Point3> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<Rings> polygons{};
 
   Triangle triangle(std::size_t i) const {
     const auto& t = triangles[i];
@@ -22,7 +26,7 @@ struct Mesh {
   }
 };
 
-/// Faces as a file has them, with any number of vertices.
+/// Faces as a mesh file has them, one ring each, with any number of vertices.
 struct PolygonSoup {
   std::vector<Point3> points;
   std::vector<std::vector<std::size_t>> polygons;

@@ -75,7 +75,7 @@ Mesh read_mesh(const std::string& path) {
   PolygonSoup soup;
   if (!read_soup(row.format, bytes, soup)) throw bad_input(path, 0, "CGAL's reader refuses it, expected a valid mesh");
   require_agreement(path, scanned, soup);
-  return triangulate(soup, path);
+  return mesh_of(soup);
 }
 
 }  // namespace tribunal

@@ -1,14 +1,13 @@
 #include "tracer/mesh/triangulate.h"
 
-#include <algorithm>
-
+#include "exact/filtered/filtered_kernel.h"
 #include "exact/io/failure.h"
-#include "exact/kernels/rational_kernel.h"
+#include "tracer/mesh/ear_clipping.h"
 
 namespace tribunal {
 namespace {
 
-using Ring = std::vector<std::size_t>;
+using IndexRing = std::vector<std::uint32_t>;
 
 /// The turns that a ring makes after dropping one axis.
 struct Turns {
@@ -25,8 +24,8 @@ struct Turns {
 /// All corners turn one way, so the ring is locally convex; all of it lies on one side of its first edge, so it winds
 /// once (a ring that winds twice comes back across every edge's line); the fan's triangles turn that way too, so
 /// they tile the ring without overlap. Zeros are collinear corners and do no harm.
-Turns turns_of(const Ring& ring, const std::vector<Point3>& points, Axis dropped) {
-  const RationalKernel k;
+Turns turns_of(const IndexRing& ring, const std::vector<Point3>& points, Axis dropped) {
+  const FilteredKernel k;
   const auto at = [&](std::size_t i) -> const Point3& { return points[ring[i % ring.size()]]; };
   Turns turns;
   for (std::size_t i = 0; i < ring.size() && !turns.both(); ++i) {
@@ -38,7 +37,7 @@ Turns turns_of(const Ring& ring, const std::vector<Point3>& points, Axis dropped
 }
 
 /// In some projection the ring has area and turns one way only; or it has no area in any.
-bool fan_is_polygon(const Ring& ring, const std::vector<Point3>& points) {
+bool fan_is_polygon(const IndexRing& ring, const std::vector<Point3>& points) {
   bool has_area = false;
   for (const Axis dropped : all_axes) {
     const Turns turns = turns_of(ring, points, dropped);
@@ -48,23 +47,42 @@ bool fan_is_polygon(const Ring& ring, const std::vector<Point3>& points) {
   return !has_area;
 }
 
+void add_fan(const IndexRing& ring, std::vector<std::array<std::uint32_t, 3>>& triangles) {
+  for (std::size_t i = 1; i + 1 < ring.size(); ++i) triangles.push_back({ring[0], ring[i], ring[i + 1]});
+}
+
 }  // namespace
 
-Mesh triangulate(const PolygonSoup& soup, const std::string& file) {
+Mesh mesh_of(const PolygonSoup& soup) {
   Mesh mesh{soup.points, {}};
-  for (std::size_t f = 0; f < soup.polygons.size(); ++f) {
-    const Ring& ring = soup.polygons[f];
-    if (ring.size() > 3 && !fan_is_polygon(ring, soup.points)) {
-      throw bad_input(file, 0,
-                      "face " + std::to_string(f) + " with " + std::to_string(ring.size()) +
-                          " corners is not convex; nonconvex faces come with the polygon test, " +
-                          "triangulate the mesh first");
-    }
-    for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
-      mesh.triangles.push_back({static_cast<std::uint32_t>(ring[0]), static_cast<std::uint32_t>(ring[i]),
-                                static_cast<std::uint32_t>(ring[i + 1])});
+  for (const auto& polygon : soup.polygons) {
+    const IndexRing ring(polygon.begin(), polygon.end());
+    if (ring.size() <= 3 || fan_is_polygon(ring, soup.points)) {
+      add_fan(ring, mesh.triangles);
+    } else {
+      mesh.polygons.push_back({ring});
     }
   }
+  return mesh;
+}
+
+std::optional<std::vector<std::array<std::uint32_t, 3>>> triangulate(const Rings& face,
+                                                                     const std::vector<Point3>& points) {
+  if (face.size() > 1 || !fan_is_polygon(face[0], points)) return clip_ears(face, points);
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  add_fan(face[0], triangles);
+  return triangles;
+}
+
+Mesh triangulated(Mesh mesh, const std::string& file) {
+  for (std::size_t f = 0; f < mesh.polygons.size(); ++f) {
+    const auto triangles = triangulate(mesh.polygons[f], mesh.vertices);
+    if (!triangles) {
+      throw bad_input(file, 0, "concave face " + std::to_string(f) + ": its edges cross, expected a simple polygon");
+    }
+    mesh.triangles.insert(mesh.triangles.end(), triangles->begin(), triangles->end());
+  }
+  mesh.polygons.clear();
   return mesh;
 }
 

@@ -1,5 +1,6 @@
 #include "tracer/scene/read_scene.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <glm/geometric.hpp>
@@ -9,7 +10,6 @@
 #include "exact/io/files.h"
 #include "exact/io/json.h"
 #include "tracer/mesh/read_mesh.h"
-#include "tracer/mesh/triangulate.h"
 
 namespace tribunal {
 namespace {
@@ -118,42 +118,68 @@ Camera to_camera(const Json& object, const Where& where) {
 
 // --- solids ----------------------------------------------------------------------------------------------------
 
-std::vector<std::size_t> to_ring(const Json& value, std::size_t vertices, const Where& where) {
+std::vector<std::uint32_t> to_ring(const Json& value, std::size_t vertices, const Where& where) {
   if (!value.is_array() || value.size() < 3) where.fail("expected an array of at least 3 vertex indices");
-  std::vector<std::size_t> ring;
+  std::vector<std::uint32_t> ring;
   for (std::size_t i = 0; i < value.size(); ++i) {
     const bool known = value[i].is_number_unsigned() && value[i].get<std::uint64_t>() < vertices;
     if (!known)
       where.index(i).fail("expected a vertex index from 0 to " + std::to_string(vertices - 1) + ", found " +
                           value[i].dump());
-    ring.push_back(value[i].get<std::size_t>());
+    ring.push_back(value[i].get<std::uint32_t>());
   }
   return ring;
 }
 
-Mesh inline_mesh(const Json& object, const Where& where) {
-  PolygonSoup soup;
+/// A ring, or a list of rings: the outer one and the holes.
+Rings to_face(const Json& value, std::size_t vertices, const Where& where) {
+  if (!value.is_array() || value.empty() || !value[0].is_array()) return {to_ring(value, vertices, where)};
+  Rings face;
+  for (std::size_t i = 0; i < value.size(); ++i) face.push_back(to_ring(value[i], vertices, where.index(i)));
+  return face;
+}
+
+/// "vertices" and "faces", of a scene's solid or a file in data/solids.
+Mesh to_solid_mesh(const Json& object, const Where& where) {
+  Mesh mesh;
   const Json& vertices = array_at(object, "vertices", where);
   const Json& faces = array_at(object, "faces", where);
   if (vertices.empty()) where.key("vertices").fail("expected at least one point");
   if (faces.empty()) where.key("faces").fail("expected at least one face");
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    soup.points.push_back(to_point(vertices[i], Format::binary64, where.key("vertices").index(i)));
+    mesh.vertices.push_back(to_point(vertices[i], Format::binary64, where.key("vertices").index(i)));
   }
   for (std::size_t i = 0; i < faces.size(); ++i) {
-    soup.polygons.push_back(to_ring(faces[i], vertices.size(), where.key("faces").index(i)));
+    Rings face = to_face(faces[i], vertices.size(), where.key("faces").index(i));
+    if (face.size() == 1 && face[0].size() == 3) {
+      mesh.triangles.push_back({face[0][0], face[0][1], face[0][2]});
+    } else {
+      mesh.polygons.push_back(std::move(face));
+    }
   }
-  return triangulate(soup, where.file + ": " + where.key("faces").path);
+  return mesh;
+}
+
+Mesh read_solid(const std::string& path) {
+  const std::string text = read_file(path, std::size_t{1} << 30);
+  if (text.empty()) throw bad_input(path, 0, "is empty, expected a solid");
+  const Where where{path};
+  const Json object = parse_json(text, where);
+  require_keys(object, {"description", "vertices", "faces"}, where);
+  if (object.contains("description")) text_at(object.at("description"), where.key("description"));
+  return to_solid_mesh(object, where);
 }
 
 Mesh to_mesh(const Json& object, const Where& where) {
-  if (object.contains("mesh") == object.contains("vertices")) {
-    where.fail("expected either \"mesh\" or \"vertices\" and \"faces\"");
+  if (object.contains("mesh") + object.contains("solid") + object.contains("vertices") != 1) {
+    where.fail("expected either \"mesh\", \"solid\", or \"vertices\" and \"faces\"");
   }
-  if (!object.contains("mesh")) return inline_mesh(object, where);
-  if (object.contains("faces")) where.key("faces").fail("expected no faces beside \"mesh\"");
-  const std::filesystem::path path = text_at(object.at("mesh"), where.key("mesh"));
-  return read_mesh((std::filesystem::path(where.file).parent_path() / path).string());
+  if (object.contains("vertices")) return to_solid_mesh(object, where);
+  const char* const key = object.contains("mesh") ? "mesh" : "solid";
+  if (object.contains("faces")) where.key("faces").fail("expected no faces beside \"" + std::string(key) + "\"");
+  const std::filesystem::path name = text_at(object.at(key), where.key(key));
+  const std::string path = (std::filesystem::path(where.file).parent_path() / name).string();
+  return object.contains("mesh") ? read_mesh(path) : read_solid(path);
 }
 
 Point3 scale_of(const Json& object, const Where& where) {
@@ -177,6 +203,9 @@ void place(const Json& object, Mesh& mesh, const Where& where) {
   const bool mirrored = ((scale.x < 0) != (scale.y < 0)) != (scale.z < 0);
   if (!mirrored) return;
   for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
+  for (Rings& face : mesh.polygons) {
+    for (auto& ring : face) std::reverse(ring.begin() + 1, ring.end());
+  }
 }
 
 Material to_material(const Json& object, const Where& where) {
@@ -195,8 +224,8 @@ Material to_material(const Json& object, const Where& where) {
 
 Solid to_solid(const Json& object, std::size_t number, const Where& where) {
   require_keys(object,
-               {"name", "mesh", "vertices", "faces", "scale", "translate", "colour", "ambient", "diffuse", "specular",
-                "shininess", "reflection", "transparency", "refractive_index"},
+               {"name", "mesh", "solid", "vertices", "faces", "scale", "translate", "colour", "ambient", "diffuse",
+                "specular", "shininess", "reflection", "transparency", "refractive_index"},
                where);
   Solid s;
   s.name = object.contains("name") ? text_at(object.at("name"), where.key("name")) : "solid " + std::to_string(number);
@@ -206,10 +235,37 @@ Solid to_solid(const Json& object, std::size_t number, const Where& where) {
   return s;
 }
 
+/// {"x": [lo, hi], …}: any of the three axes.
+Flaps to_flaps(const Json& object, const Where& where) {
+  require_keys(object, {"x", "y", "z"}, where);
+  Flaps flaps;
+  for (const int axis : {0, 1, 2}) {
+    const std::string key(1, "xyz"[axis]);
+    if (!object.contains(key)) continue;
+    const Json& pair = object.at(key);
+    const Where here = where.key(key);
+    if (!pair.is_array() || pair.size() != 2) here.fail("expected two numbers, found " + pair.dump());
+    flaps.lo[axis] = to_number(pair[0], Format::binary64, here.index(0));
+    flaps.hi[axis] = to_number(pair[1], Format::binary64, here.index(1));
+    if (flaps.lo[axis] > flaps.hi[axis]) here.fail("expected the lesser number first, found " + pair.dump());
+  }
+  return flaps;
+}
+
 Light to_light(const Json& object, const Where& where) {
-  require_keys(object, {"position", "colour"}, where);
+  require_keys(object, {"position", "colour", "aim", "concentration", "cone", "flaps"}, where);
   Light light{point_at(object, "position", where), {1, 1, 1}};
   read_colour(object, "colour", huge, light.colour, where);
+  if (object.contains("flaps")) light.flaps = to_flaps(object.at("flaps"), where.key("flaps"));
+  if (object.contains("aim")) light.aim = point_at(object, "aim", where);
+  if (light.aim && *light.aim == light.position) where.key("aim").fail("expected another point than the position");
+  for (const char* key : {"concentration", "cone"}) {
+    if (object.contains(key) && !light.aim) where.key(key).fail("expected \"aim\" with it");
+  }
+  read_number(object, "concentration", 0, 10000, light.concentration, where);
+  double degrees = 180;
+  read_number(object, "cone", 0, 180, degrees, where);
+  if (degrees < 180) light.cone_cosine = std::cos(degrees * (std::numbers::pi / 180));
   return light;
 }
 

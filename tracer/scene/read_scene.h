@@ -11,18 +11,26 @@
 //     "width", "height"        pixels, 1 to 16384 each and at most 2^26 in all
 //   "solids"       array, at least one; each an object:
 //     "name"                   text (optional; "solid N" otherwise)
-//     "mesh"                   path of an .off, .obj, .ply or .stl file, relative to the scene file; or instead
-//     "vertices", "faces"      inline: array of points; array of arrays of at least 3 vertex indices from 0
+//     "mesh"                   path of an .off, .obj, .ply or .stl file, relative to the scene file; or
+//     "solid"                  path of a solid, a JSON object with "description", "vertices" and "faces"; or instead
+//     "vertices", "faces"      inline: array of points; array of faces, each a ring of at least 3 vertex indices from
+//     0,
+//                              or an array of such rings: the outer one and the holes
 //     "scale"                  number ≠ 0, or three of them, applied first (optional)
 //     "translate"              point, added after scaling (optional); each operation rounds once to binary64
 //     "colour"                 0..1 each (0.8, 0.8, 0.8)
 //     "ambient", "diffuse", "specular", "reflection", "transparency"   0..1 (0.1, 0.7, 0.2, 0, 0)
 //     "shininess"              0..10000, Phong's exponent (20)
 //     "refractive_index"       > 0 (1), of the inside
-//   "lights"       array (optional): objects with "position" (point) and "colour" (0 or more each; white)
+//   "lights"       array (optional); each an object:
+//     "position", "colour"     a point; 0 or more each (white)
+//     "aim"                    the point that it shines at (all directions alike); only with it:
+//     "concentration"          exponent of the cosine of the angle to the aim, 0..10000 (0)
+//     "cone"                   half angle beyond which there is no light, degrees (180)
+//     "flaps"                  {"x": [lo, hi], …}: only points between these planes are lit (everywhere)
 //   "background"   colour of rays that leave the scene, 0..1 each (black)
 //   "depth"        generations of rays, 1 to 16 (4)
-//   "bias"         relative step by which secondary rays leave a surface, 0 to 0.01 (2^-16)
+//   "bias"         relative step by which an inexact method's secondary rays leave a surface, 0 to 0.01 (2^-16)
 //
 // Faces should be counter-clockwise seen from outside, as refraction needs to know the inside.
 #pragma once

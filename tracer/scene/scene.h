@@ -1,6 +1,8 @@
 // A scene as its file describes it. The file format is documented in read_scene.h.
 #pragma once
 
+#include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,10 +32,22 @@ struct Solid {
   Material material;
 };
 
-/// A point light without attenuation.
+/// What lies between two planes that face an axis: a pair of flaps. Unbounded where not given.
+struct Flaps {
+  Point3 lo{-std::numeric_limits<double>::infinity()};
+  Point3 hi{std::numeric_limits<double>::infinity()};
+};
+
+/// A point light without attenuation, directed as Warn's: its light falls off as the `concentration`-th power of the
+/// cosine of the angle to its aim, ends at the cone, and only reaches points between the flaps.
+/// Source: Warn, "Lighting controls for synthetic images", SIGGRAPH 1983.
 struct Light {
   Point3 position;
   Colour colour;
+  std::optional<Point3> aim{};  ///< a point that it shines at; none: all directions alike
+  double concentration = 0;     ///< exponent ≥ 0
+  double cone_cosine = -1;      ///< cosine of the cone's half angle; −1 for no cone
+  Flaps flaps{};
 };
 
 struct Scene {
@@ -43,7 +57,7 @@ struct Scene {
   std::vector<Light> lights;
   Colour background;
   int depth = 4;          ///< generations of rays: 1 = primary rays and their shadow rays only
-  double bias = 0x1p-16;  ///< see tracer/shading/whitted.h
+  double bias = 0x1p-16;  ///< of inexact methods, see tracer/shading/departure.h
 };
 
 }  // namespace tribunal

@@ -13,6 +13,10 @@ class CameraRays {
   explicit CameraRays(const Camera& c);
   Ray through(int column, int row) const;
 
+  const Point3& forward() const { return forward_; }
+  const Point3& right() const { return right_; }
+  const Point3& up() const { return up_; }
+
  private:
   Point3 eye_, forward_, right_, up_;
   double pixel_;  ///< side of a pixel at unit distance

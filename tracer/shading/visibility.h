@@ -25,37 +25,47 @@ inline bool is_visible_hit(const Answer& a) {
 /// through the start of the shadow ray does not block.
 inline bool is_blocking_hit(const Answer& a) { return is_visible_hit(a) && a.at != At::source && a.at != At::target; }
 
-/// One method looking at a world. One object a thread; counts into the caller's tally.
+/// One method looking at a world. One object a thread; counts into the caller's tally. Prepares every polygon.
 class Visibility {
  public:
-  Visibility(const World& world, const Method& method, Tally& tally) : world_(world), method_(method), tally_(tally) {}
+  Visibility(const World& world, const Method& method, RayTally& tally);
 
-  /// The first triangle on the ray: smallest t by the method's own order of hits (by t in double if it has none),
+  /// The first face on the ray: smallest t by the method's own order of hits (by t in double if it has none),
   /// ties by lowest primitive id. A ray that overflowed hits nothing.
   ///
-  /// The tree is pruned by a proved bound: a triangle that is exactly hit lies in its box, so t is at most the upper
+  /// The tree is pruned by a proved bound: a face that is exactly hit lies in its box, so t is at most the upper
   /// end of the ray's span in that box; boxes whose span begins later hold only later hits. Only an inexact method
-  /// that reports hits outside a triangle's box can answer differently with and without a tree.
+  /// that reports hits outside a face's box can answer differently with and without a tree.
   std::optional<std::uint32_t> first_hit(const Ray& ray);
 
   /// Whether something blocks the light on its way.
   bool is_blocked(const Segment& way);
 
+  /// What a closed segment meets, ends included: nothing, the given face alone, or anything else. Counted as
+  /// start_tests. A segment that is not finite is `more`.
+  enum class Met : std::uint8_t { none, only_the_one, more };
+  Met faces_met(const Segment& way, std::uint32_t the_one);
+
+  /// Whether the method counts this face as a hit of this probe, as the tracer reads it.
+  bool sees(const Probe& probe, std::uint32_t id) const;
+
   const World& world() const { return world_; }
 
  private:
+  template <class P>
+  Answer ask(const P& probe, std::uint32_t id) const;
+  template <class P>
+  Answer ask_counted(const P& probe, std::uint32_t id);
   bool is_nearer(const Ray& ray, std::uint32_t id, std::uint32_t best) const;
 
   const World& world_;
   const Method& method_;
-  Tally& tally_;
+  RayTally& tally_;
+  std::vector<PreparedPolygon> prepared_;
   BoxTree::Stack stack_;
 };
 
-/// Whether the method counts this triangle as a hit of this probe, as the tracer reads it.
-bool sees(const Method& method, const Probe& probe, const Triangle& t);
-
-/// The triangles that the tree offers for a probe, without pruning.
+/// The faces that the tree offers for a probe, without pruning.
 std::vector<std::uint32_t> candidates(const World& world, const Probe& probe);
 
 /// Parameter of the hit in double, from signed volumes: for shading, and for methods without an order of their own.

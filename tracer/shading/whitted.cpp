@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "tracer/shading/camera_rays.h"
+#include "tracer/shading/warn_light.h"
 
 namespace tribunal {
 namespace {
@@ -11,12 +12,11 @@ namespace {
 /// The normal that sees the corners counter-clockwise; zero for a face that rounds to no area.
 Point3 face_normal(const Triangle& t) { return normalised(glm::cross(normalised(t.b - t.a), normalised(t.c - t.a))); }
 
-/// The hit point is in the triangle's box, so the computed one is moved there; a parameter that is not a number (a
+/// The hit point is in the face's box, so the computed one is moved there; a parameter that is not a number (a
 /// method may report hits that no formula confirms) leads to the box's corner.
-Point3 hit_point(const Ray& r, const Triangle& t) {
+Point3 hit_point(const Ray& r, const Triangle& t, const Box& b) {
   const double parameter = shading_parameter(r, t);
   const Point3 p = r.o + parameter * r.d.v;
-  const Box b = box_of(t);
   Point3 inside = b.lo;
   for (int i = 0; i < 3; ++i) {
     if (p[i] > b.lo[i]) inside[i] = std::min(p[i], b.hi[i]);
@@ -65,52 +65,52 @@ WhittedTracer::Surface WhittedTracer::surface_at(const Ray& ray, std::uint32_t i
   const Point3 view = normalised(-ray.d.v);
   const Point3 normal = face_normal(t);
   const bool from_outside = glm::dot(normal, view) >= 0;
-  const bool has_normal = normal != Point3(0);
-  return {hit_point(ray, t),
-          !has_normal    ? view
-          : from_outside ? normal
-                         : -normal,
-          view, from_outside, world_.material_of(id)};
+  const Point3 facing = normal == Point3(0) ? view : from_outside ? normal : -normal;
+  return {{ray.o, id, hit_point(ray, t, world_.box(id)), facing}, view, from_outside, world_.material_of(id)};
 }
 
-/// `side` = 1 on the viewer's side of the surface, −1 on the other.
-Point3 WhittedTracer::start(const Surface& s, double side) const { return s.point + side * world_.step * s.normal; }
+const Point3& WhittedTracer::near_start(Surface& s) {
+  if (!s.near) s.near = departures_.near_side(s.at);
+  return *s.near;
+}
 
-Colour WhittedTracer::shade(const Surface& s, int depth) {
+Colour WhittedTracer::shade(Surface s, int depth) {
   const Material& m = s.material;
   Colour colour = m.ambient * m.colour;
   for (const Light& light : world_.scene->lights) colour += light_on(s, light);
   if (depth <= 1) return colour;
-  if (m.reflection > 0) colour += m.reflection * reflected(s, RayKind::reflection, depth);
+  if (m.reflection > 0) colour += m.reflection * reflected(s, depth);
   if (m.transparency > 0) colour += m.transparency * refracted(s, depth);
   return colour;
 }
 
-Colour WhittedTracer::light_on(const Surface& s, const Light& light) {
-  const Point3 to_light = normalised(light.position - s.point);
-  const double cosine = glm::dot(to_light, s.normal);
+Colour WhittedTracer::light_on(Surface& s, const Light& light) {
+  const Point3 to_light = normalised(light.position - s.at.point);
+  const double cosine = glm::dot(to_light, s.at.normal);
   if (!(cosine > 0)) return {};
-  const Segment way{in_format(start(s, 1), world_.format), in_format(light.position, world_.format)};
+  const double strength = strength_at(light, s.at.point);
+  if (!(strength > 0)) return {};
+  const Segment way{near_start(s), in_format(light.position, world_.format)};
   const bool blocked = visibility_.is_blocked(way);
   note(RayKind::shadow, way, blocked, blocked);
   if (blocked) return {};
   const Material& m = s.material;
-  const double shine = std::max(0.0, glm::dot(mirrored(to_light, s.normal), s.view));
+  const double shine = std::max(0.0, glm::dot(mirrored(to_light, s.at.normal), s.view));
   Colour colour = m.diffuse * cosine * (m.colour * light.colour);
   colour += m.specular * std::pow(shine, m.shininess) * light.colour;
-  return colour;
+  return strength * colour;
 }
 
-Colour WhittedTracer::reflected(const Surface& s, RayKind kind, int depth) {
-  return trace({start(s, 1), {mirrored(s.view, s.normal)}}, kind, depth - 1);
+Colour WhittedTracer::reflected(Surface& s, int depth) {
+  return trace({near_start(s), {mirrored(s.view, s.at.normal)}}, RayKind::reflection, depth - 1);
 }
 
 /// Total internal reflection sends the refracted share back inside.
-Colour WhittedTracer::refracted(const Surface& s, int depth) {
+Colour WhittedTracer::refracted(Surface& s, int depth) {
   const double eta = s.from_outside ? 1 / s.material.refractive_index : s.material.refractive_index;
-  const std::optional<Point3> direction = refract(s.view, s.normal, eta);
-  if (!direction) return reflected(s, RayKind::reflection, depth);
-  return trace({start(s, -1), {*direction}}, RayKind::refraction, depth - 1);
+  const std::optional<Point3> direction = refract(s.view, s.at.normal, eta);
+  if (!direction) return reflected(s, depth);
+  return trace({departures_.far_side(s.at, near_start(s)), {*direction}}, RayKind::refraction, depth - 1);
 }
 
 }  // namespace tribunal

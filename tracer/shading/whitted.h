@@ -5,14 +5,13 @@
 // double arithmetic, the same lines for every method. So two methods get the same pixel unless they decide
 // differently somewhere, and at the first such place they were asked the same question.
 //
-// Secondary rays start at the hit point moved along the normal by World::step, the customary constant bias. It can
-// be wrong, as it is everywhere: too small, and a surface shadows itself; too large, and light leaks through corners.
-// Issue E replaces it, for exact methods, by starts that are proved right.
+// Secondary rays start where departure.h says: proved right for exact methods, by the customary bias for others. So
+// two exact methods cast the same rays; of an exact and another, secondary rays differ a little in their starts.
 #pragma once
 
 #include <vector>
 
-#include "tracer/shading/visibility.h"
+#include "tracer/shading/departure.h"
 
 namespace tribunal {
 
@@ -20,8 +19,13 @@ namespace tribunal {
 class WhittedTracer {
  public:
   /// If `log` is given, every decision is appended to it.
-  WhittedTracer(const World& world, const Method& method, Tally& tally, std::vector<Decision>* log = nullptr)
-      : world_(world), visibility_(world, method, tally), tally_(tally), log_(log) {}
+  WhittedTracer(const World& world, const Method& method, RayTally& tally, std::vector<Decision>* log = nullptr)
+      : world_(world),
+        visibility_(world, method, tally),
+        departures_(world, method, visibility_, tally),
+        tally_(tally),
+        log_(log) {}
+  WhittedTracer(const WhittedTracer&) = delete;
 
   /// Light that arrives along a primary ray, with this many generations of rays.
   Colour trace(const Ray& primary, int depth) { return trace(primary, RayKind::primary, depth); }
@@ -32,23 +36,26 @@ class WhittedTracer {
  private:
   /// What shading knows of a hit. `normal` faces the viewer.
   struct Surface {
-    Point3 point, normal, view;
+    Landing at;
+    Point3 view;
     bool from_outside;
     const Material& material;
+    std::optional<Point3> near{};  ///< start on the viewer's side, once it is needed
   };
 
   Colour trace(const Ray& ray, RayKind kind, int depth);
   Surface surface_at(const Ray& ray, std::uint32_t id) const;
-  Colour shade(const Surface& s, int depth);
-  Colour light_on(const Surface& s, const Light& light);
-  Colour reflected(const Surface& s, RayKind kind, int depth);
-  Colour refracted(const Surface& s, int depth);
-  Point3 start(const Surface& s, double side) const;
+  Colour shade(Surface s, int depth);
+  Colour light_on(Surface& s, const Light& light);
+  Colour reflected(Surface& s, int depth);
+  Colour refracted(Surface& s, int depth);
+  const Point3& near_start(Surface& s);
   void note(RayKind kind, const Probe& probe, std::int64_t outcome, bool hit);
 
   const World& world_;
   Visibility visibility_;
-  Tally& tally_;
+  Departures departures_;
+  RayTally& tally_;
   std::vector<Decision>* log_;
   std::uint64_t hash_ = 0;
 };

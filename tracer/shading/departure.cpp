@@ -1,0 +1,80 @@
+#include "tracer/shading/departure.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "exact/filtered/filtered_kernel.h"
+#include "tracer/shading/camera_rays.h"
+
+namespace tribunal {
+namespace {
+
+constexpr int doublings = 64;  ///< from one unit roundoff (2⁻⁵³) to beyond the greatest coordinate
+
+double greatest(const Point3& p) { return std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}); }
+
+/// The exact side of a point: of a finite point, and of the face's plane.
+int side_of(const Triangle& t, const Point3& x) {
+  return is_finite(x) ? value(FilteredKernel().orient3d(t.a, t.b, t.c, x)) : 0;
+}
+
+}  // namespace
+
+Point3 Departures::customary(const Landing& at, double side) const {
+  return in_format(at.point + side * world_.step * at.normal, world_.format);
+}
+
+double Departures::smallest_step(const Landing& at) const {
+  const double roundoff = world_.format == Format::binary32 ? 0x1p-24 : 0x1p-53;
+  return roundoff * std::max(greatest(at.origin), greatest(at.point));
+}
+
+bool Departures::is_near_start(const Landing& at, const Point3& candidate, int side) {
+  ++tally_.start_candidates;
+  if (side_of(world_.triangles[at.face], candidate) != side) return false;
+  return candidate == at.origin || visibility_.faces_met({at.origin, candidate}, 0) == Visibility::Met::none;
+}
+
+Point3 Departures::near_side(const Landing& at) {
+  ++tally_.starts;
+  if (!proves_) return customary(at, 1);
+  const int side = side_of(world_.triangles[at.face], at.origin);
+  const Point3 back = at.origin - at.point;
+  const double length = greatest(back);
+  double step = 0;
+  for (int k = 0; side != 0 && k <= doublings && step < length; ++k) {
+    const Point3 candidate = in_format(at.point + (step / length) * back, world_.format);
+    if (is_near_start(at, candidate, side)) return candidate;
+    step = k == 0 ? smallest_step(at) : 2 * step;
+  }
+  if (side != 0 && is_near_start(at, at.origin, side)) return at.origin;
+  ++tally_.starts_unproved;
+  return customary(at, 1);
+}
+
+bool Departures::is_far_start(const Landing& at, const Point3& near, const Point3& candidate, int side) {
+  ++tally_.start_candidates;
+  if (side_of(world_.triangles[at.face], candidate) != -side) return false;
+  return visibility_.faces_met({near, candidate}, at.face) == Visibility::Met::only_the_one;
+}
+
+Point3 Departures::far_side(const Landing& at, const Point3& near) {
+  ++tally_.starts;
+  if (!proves_) return customary(at, -1);
+  const Triangle& t = world_.triangles[at.face];
+  const int side = side_of(t, near);
+  const Point3 along = normalised((t.a - at.point) + (t.b - at.point) + (t.c - at.point));
+  const Point3 across = glm::cross(at.normal, along);
+  const Point3 shifts[] = {Point3(0), along, -along, across, -across};
+  double step = smallest_step(at);
+  for (int k = 0; side != 0 && k <= doublings; ++k, step *= 2) {
+    for (const Point3& shift : shifts) {
+      const Point3 candidate = in_format(at.point + step * (shift - at.normal), world_.format);
+      if (is_far_start(at, near, candidate, side)) return candidate;
+    }
+  }
+  ++tally_.starts_unproved;
+  return near;
+}
+
+}  // namespace tribunal
