@@ -25,7 +25,7 @@ includes() {
 except() { grep -vE "#[[:space:]]*include[[:space:]]*$1" || true; }
 
 for room in core exact tracer; do
-  [ -n "$(find "$room" -name '*.cpp' -print -quit)" ] || { echo "no source files in $room" >&2; exit 1; }
+  [ -n "$(find "$room" -name '*.[hc]*' -print -quit)" ] || { echo "no source files in $room" >&2; exit 1; }
 done
 
 breach 'core may use core, the standard library and GLM' \
