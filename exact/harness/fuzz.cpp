@@ -162,6 +162,7 @@ CountTable& CountTable::operator+=(const CountTable& other) {
 
 void CountTable::for_each(const std::function<void(const Cell&, const Count&)>& visit) const {
   for (std::size_t i = 0; i < counts_.size(); ++i) {
+    if (counts_[i].asked == 0) continue;
     const std::size_t row = i / slots;
     visit({row / levels_ / streams_, row / levels_ % streams_, row % levels_, static_cast<ClassId>(i % slots)},
           counts_[i]);

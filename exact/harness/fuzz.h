@@ -42,7 +42,7 @@ class CountTable {
   const Count& at(const Cell& cell) const { return counts_[index(cell)]; }
   CountTable& operator+=(const CountTable& other);
 
-  /// All cells, in index order, with their counts.
+  /// All cells in which something was asked, in index order, with their counts.
   void for_each(const std::function<void(const Cell&, const Count&)>& visit) const;
 
  private:
