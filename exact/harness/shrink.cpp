@@ -3,29 +3,21 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "exact/families/axis_maps.h"
 #include "exact/harness/affine_frame.h"
+#include "exact/harness/coordinate_rules.h"
 #include "exact/harness/query_vectors.h"
-#include "exact/kernels/dyadic.h"
 
 namespace tribunal {
 namespace {
 
-int significand_bits(double x) {
-  if (x == 0) return 0;
-  int exponent = 0;
-  auto m = static_cast<std::uint64_t>(std::ldexp(std::frexp(std::fabs(x), &exponent), 53));
-  while ((m & 1) == 0) m >>= 1;
-  return 64 - __builtin_clzll(m);
-}
-
 struct Cost {
-  int bits = 0, exponents = 0, negatives = 0;
+  CoordinateCost simplicity{};
   std::array<double, 15> coordinates{};
   auto operator<=>(const Cost&) const = default;
 };
@@ -35,11 +27,8 @@ Cost cost_of(Query query) {
   std::size_t i = 0;
   for (const Point3* v : vectors_of(query).v) {
     for (int axis = 0; axis < 3; ++axis) {
-      const double x = (*v)[axis];
-      cost.bits += significand_bits(x);
-      cost.exponents += x == 0 ? 0 : std::abs(std::ilogb(x));
-      cost.negatives += std::signbit(x);
-      cost.coordinates[i++] = x;
+      cost.simplicity.add((*v)[axis]);
+      cost.coordinates[i++] = (*v)[axis];
     }
   }
   return cost;
@@ -74,8 +63,6 @@ constexpr FrameRounding frame_roundings[] = {
     [](double x, double unit) { return std::floor(x / unit) * unit; },
     [](double x, double unit) { return std::ceil(x / unit) * unit; },
 };
-
-bool representable(double x, Format format) { return std::isfinite(x) && is_exact_in(x, format); }
 
 class Shrinker {
  public:
@@ -113,46 +100,25 @@ class Shrinker {
     bool simpler = false;
     simpler |= take_smaller_frame();
     for (int axis = 0; axis < 3; ++axis) {
-      for (int vertex = 0; vertex < 4; ++vertex) simpler |= translate(axis, vertex);
+      for (std::size_t vertex = 0; vertex < 4; ++vertex) simpler |= translate(axis, vertex);
       simpler |= scale(axis);
     }
     for (int axis = 0; axis < 3; ++axis) {
-      for (const double value : distinct(axis)) simpler |= simplify(axis, value);
+      for (const double value : distinct_values(vectors_of(best_).v, axis)) simpler |= simplify(axis, value);
     }
     return simpler || take_least_image();
   }
 
-  /// Exactly, or not at all.
-  bool translate(int axis, int vertex) {
+  bool translate(int axis, std::size_t vertex) {
     Query candidate = best_;
     const QueryVectors c = vectors_of(candidate);
-    const double by = (*c.v[static_cast<std::size_t>(vertex)])[axis];
-    for (std::size_t i = 0; i < static_cast<std::size_t>(c.points); ++i) {
-      double& x = (*c.v[i])[axis];
-      const double moved = x - by;
-      if (!representable(moved, format_) || sign_of(Dyadic(x) - Dyadic(by) - Dyadic(moved)) != Sign::zero) return false;
-      x = moved;
-    }
-    return offer(candidate);
+    const std::span points(c.v.data(), static_cast<std::size_t>(c.points));
+    return translate_exactly(points, axis, (*c.v[vertex])[axis], format_) && offer(candidate);
   }
 
   bool scale(int axis) {
     Query candidate = best_;
-    int largest = 0;
-    bool any = false;
-    for (const Point3* v : vectors_of(candidate).v) {
-      if ((*v)[axis] == 0) continue;
-      const int e = std::ilogb((*v)[axis]);
-      largest = any ? std::max(largest, e) : e;
-      any = true;
-    }
-    if (!any || largest == 0) return false;
-    for (Point3* v : vectors_of(candidate).v) {
-      const double scaled = std::ldexp((*v)[axis], -largest);
-      if (!representable(scaled, format_) || std::ldexp(scaled, largest) != (*v)[axis]) return false;
-      (*v)[axis] = scaled;
-    }
-    return offer(candidate);
+    return scale_exactly(vectors_of(candidate).v, axis, format_) && offer(candidate);
   }
 
   bool take_smaller_frame() {
@@ -176,34 +142,15 @@ class Shrinker {
     return std::ranges::any_of(simpler, [&](const auto& image) { return offer(image.second); });
   }
 
-  std::vector<double> distinct(int axis) {
-    std::vector<double> values;
-    for (const Point3* v : vectors_of(best_).v) values.push_back((*v)[axis]);
-    std::ranges::sort(values);
-    values.erase(std::unique(values.begin(), values.end()), values.end());
-    return values;
-  }
-
-  /// All coordinates of this value on the axis move together: 0, ±1, then ever more significand bits.
+  /// All coordinates of this value on the axis move together.
   bool simplify(int axis, double value) {
-    for (const double simple : {0.0, 1.0, -1.0}) {
-      if (replace(axis, value, simple)) return true;
-    }
-    const int bits = significand_bits(value);
-    for (int keep = 1; keep < bits; ++keep) {
-      const int drop = std::ilogb(value) + 1 - keep;
-      if (replace(axis, value, std::ldexp(std::nearbyint(std::ldexp(value, -drop)), drop))) return true;
-    }
-    return false;
+    const std::vector<double> simpler = simpler_values(value);
+    return std::ranges::any_of(simpler, [&](double by) { return replace(axis, value, by); });
   }
 
   bool replace(int axis, double value, double by) {
-    if (by == value && !std::signbit(value)) return false;
     Query candidate = best_;
-    for (Point3* v : vectors_of(candidate).v) {
-      if ((*v)[axis] == value) (*v)[axis] = by;
-    }
-    return representable(by, format_) && offer(candidate);
+    return replace_value(vectors_of(candidate).v, axis, value, by, format_) && offer(candidate);
   }
 
   const Method& method_;

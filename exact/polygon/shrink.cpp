@@ -1,21 +1,12 @@
 #include "exact/polygon/shrink.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
+#include <span>
 
-#include "exact/kernels/dyadic.h"
+#include "exact/harness/coordinate_rules.h"
 
 namespace tribunal {
 namespace {
-
-int significand_bits(double x) {
-  if (x == 0) return 0;
-  int exponent = 0;
-  auto m = static_cast<std::uint64_t>(std::ldexp(std::frexp(std::fabs(x), &exponent), 53));
-  while ((m & 1) == 0) m >>= 1;
-  return 64 - __builtin_clzll(m);
-}
 
 /// All points of a query, directions last: those do not translate.
 struct Coordinates {
@@ -39,19 +30,14 @@ Coordinates coordinates_of(PolygonQuery& query) {
 
 struct Cost {
   std::size_t vertices = 0;
-  int bits = 0, exponents = 0, negatives = 0;
+  CoordinateCost simplicity{};
   auto operator<=>(const Cost&) const = default;
 };
 
 Cost cost_of(PolygonQuery query) {
   Cost cost{.vertices = query.polygon.vertices.size()};
   for (const Point3* v : coordinates_of(query).v) {
-    for (int axis = 0; axis < 3; ++axis) {
-      const double x = (*v)[axis];
-      cost.bits += significand_bits(x);
-      cost.exponents += x == 0 ? 0 : std::abs(std::ilogb(x));
-      cost.negatives += std::signbit(x);
-    }
+    for (int axis = 0; axis < 3; ++axis) cost.simplicity.add((*v)[axis]);
   }
   return cost;
 }
@@ -112,7 +98,7 @@ class PolygonShrinker {
       simpler |= negate(axis);
     }
     for (int axis = 0; axis < 3; ++axis) {
-      for (const double value : distinct(axis)) simpler |= simplify(axis, value);
+      for (const double value : distinct_values(coordinates_of(best_).v, axis)) simpler |= simplify(axis, value);
     }
     return simpler;
   }
@@ -142,38 +128,16 @@ class PolygonShrinker {
     return offer({best_.probe, without(best_.polygon, r, first, count)});
   }
 
-  bool representable(double x) const { return std::isfinite(x) && is_exact_in(x, format_); }
-
-  /// Exactly, or not at all.
   bool translate(int axis, std::size_t vertex) {
     PolygonQuery candidate = best_;
     const Coordinates c = coordinates_of(candidate);
-    const double by = (*c.v[vertex])[axis];
-    for (std::size_t i = 0; i < c.points; ++i) {
-      double& x = (*c.v[i])[axis];
-      const double moved = x - by;
-      if (!representable(moved) || sign_of(Dyadic(x) - Dyadic(by) - Dyadic(moved)) != Sign::zero) return false;
-      x = moved;
-    }
-    return offer(candidate);
+    const std::span points(c.v.data(), c.points);
+    return translate_exactly(points, axis, (*c.v[vertex])[axis], format_) && offer(candidate);
   }
 
   bool scale(int axis) {
     PolygonQuery candidate = best_;
-    int largest = 0;
-    bool any = false;
-    for (const Point3* v : coordinates_of(candidate).v) {
-      if ((*v)[axis] == 0) continue;
-      largest = any ? std::max(largest, std::ilogb((*v)[axis])) : std::ilogb((*v)[axis]);
-      any = true;
-    }
-    if (!any || largest == 0) return false;
-    for (Point3* v : coordinates_of(candidate).v) {
-      const double scaled = std::ldexp((*v)[axis], -largest);
-      if (!representable(scaled) || std::ldexp(scaled, largest) != (*v)[axis]) return false;
-      (*v)[axis] = scaled;
-    }
-    return offer(candidate);
+    return scale_exactly(coordinates_of(candidate).v, axis, format_) && offer(candidate);
   }
 
   bool negate(int axis) {
@@ -182,34 +146,15 @@ class PolygonShrinker {
     return offer(candidate);
   }
 
-  std::vector<double> distinct(int axis) {
-    std::vector<double> values;
-    for (const Point3* v : coordinates_of(best_).v) values.push_back((*v)[axis]);
-    std::sort(values.begin(), values.end());
-    values.erase(std::unique(values.begin(), values.end()), values.end());
-    return values;
-  }
-
-  /// All coordinates of this value on the axis move together: 0, ±1, then ever more significand bits.
+  /// All coordinates of this value on the axis move together.
   bool simplify(int axis, double value) {
-    for (const double simple : {0.0, 1.0, -1.0}) {
-      if (replace(axis, value, simple)) return true;
-    }
-    const int bits = significand_bits(value);
-    for (int keep = 1; keep < bits; ++keep) {
-      const int drop = std::ilogb(value) + 1 - keep;
-      if (replace(axis, value, std::ldexp(std::nearbyint(std::ldexp(value, -drop)), drop))) return true;
-    }
-    return false;
+    const std::vector<double> simpler = simpler_values(value);
+    return std::ranges::any_of(simpler, [&](double by) { return replace(axis, value, by); });
   }
 
   bool replace(int axis, double value, double by) {
-    if (by == value && !std::signbit(value)) return false;
     PolygonQuery candidate = best_;
-    for (Point3* v : coordinates_of(candidate).v) {
-      if ((*v)[axis] == value) (*v)[axis] = by;
-    }
-    return representable(by) && offer(candidate);
+    return replace_value(coordinates_of(candidate).v, axis, value, by, format_) && offer(candidate);
   }
 
   const Method& method_;
