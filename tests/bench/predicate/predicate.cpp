@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <deque>
 #include <functional>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -18,6 +17,7 @@
 #include "exact/filtered/filtered.h"
 #include "exact/kernels/rational_kernel.h"
 #include "exact/methods.h"
+#include "tests/bench/medians.h"
 #include "tests/bench/pairs.h"
 #include "tests/bench/peers.h"
 
@@ -150,73 +150,33 @@ void register_all() {
   }
 }
 
-/// Collects the repetitions of every benchmark, in nanoseconds a pair, while the console shows its own table.
-class Medians : public benchmark::ConsoleReporter {
- public:
-  Medians() : ConsoleReporter(OO_None) {}
-
-  void ReportRuns(const std::vector<Run>& runs) override {
-    for (const Run& run : runs) {
-      if (run.run_type != Run::RT_Iteration || run.error_occurred) continue;
-      const double pairs = run.counters.at("items_per_second");
-      samples_[run.run_name.function_name].push_back(1e9 / pairs);
-    }
-  }
-
-  bool has(const std::string& name) const { return samples_.count(name) > 0; }
-  double median(const std::string& name) const { return quantile(name, 0.5); }
-
-  /// ns a pair: median, quartiles, repetitions.
-  void print() const {
-    std::printf("%-34s %10s %10s %10s  %s\n", "ns a pair", "median", "lower q.", "upper q.", "repetitions");
-    for (const auto& [name, samples] : samples_) {
-      std::printf("%-34s %10.2f %10.2f %10.2f  %zu\n", name.c_str(), median(name), quantile(name, 0.25),
-                  quantile(name, 0.75), samples.size());
-    }
-  }
-
- private:
-  double quantile(const std::string& name, double q) const {
-    std::vector<double> sorted = samples_.at(name);
-    std::sort(sorted.begin(), sorted.end());
-    return sorted[static_cast<std::size_t>(q * static_cast<double>(sorted.size() - 1) + 0.5)];
-  }
-
-  std::map<std::string, std::vector<double>> samples_;
-};
-
-/// numerator / denominator, if both were measured.
-void print_ratio(const Medians& m, const std::string& name, const std::string& over, const std::string& under) {
-  if (m.has(over) && m.has(under)) std::printf("ratio %s %.3f\n", name.c_str(), m.median(over) / m.median(under));
-}
-
 void print_ratios(const Medians& m) {
   for (const char* target : {"", "_avx2", "_portable"}) {
     const std::string batch = std::string("hits_7/batch") + target;
-    print_ratio(m, std::string("epick_over_batch") + target, "hits_7/epick", batch);
-    print_ratio(m, std::string("batch_over_simd_mt") + target, batch, std::string("hits_7/simd_mt") + target);
+    m.print_ratio(std::string("epick_over_batch") + target, "hits_7/epick", batch);
+    m.print_ratio(std::string("batch_over_simd_mt") + target, batch, std::string("hits_7/simd_mt") + target);
   }
-  print_ratio(m, "single_over_scalar_mt", "hits_7/single", "hits_7/scalar_mt");
-  print_ratio(m, "epick_checked_over_batch", "hits_7/epick_checked", "hits_7/batch");
-  print_ratio(m, "epick_over_single", "hits_7/epick", "hits_7/single");
-  print_ratio(m, "epeck_over_single", "hits_7/epeck", "hits_7/single");
-  print_ratio(m, "rational_over_single", "hits_7/sf_rational", "hits_7/single");
-  print_ratio(m, "sf_double_over_single", "hits_7/sf_double", "hits_7/single");
+  m.print_ratio("single_over_scalar_mt", "hits_7/single", "hits_7/scalar_mt");
+  m.print_ratio("epick_checked_over_batch", "hits_7/epick_checked", "hits_7/batch");
+  m.print_ratio("epick_over_single", "hits_7/epick", "hits_7/single");
+  m.print_ratio("epeck_over_single", "hits_7/epeck", "hits_7/single");
+  m.print_ratio("rational_over_single", "hits_7/sf_rational", "hits_7/single");
+  m.print_ratio("sf_double_over_single", "hits_7/sf_double", "hits_7/single");
   for (const char* percent : {"0", "50", "100"}) {
     const std::string at = std::string("hits_") + percent + "/";
-    print_ratio(m, std::string("batch_over_simd_mt_hits_") + percent, at + "batch", at + "simd_mt");
-    print_ratio(m, std::string("single_over_scalar_mt_hits_") + percent, at + "single", at + "scalar_mt");
-    print_ratio(m, std::string("epick_over_batch_hits_") + percent, at + "epick", at + "batch");
+    m.print_ratio(std::string("batch_over_simd_mt_hits_") + percent, at + "batch", at + "simd_mt");
+    m.print_ratio(std::string("single_over_scalar_mt_hits_") + percent, at + "single", at + "scalar_mt");
+    m.print_ratio(std::string("epick_over_batch_hits_") + percent, at + "epick", at + "batch");
   }
   for (const char* where : {"one_against_many", "first_level_cache", "memory"}) {
     const std::string at = std::string(where) + "/";
-    print_ratio(m, std::string("batch_over_simd_mt_") + where, at + "batch", at + "simd_mt");
+    m.print_ratio(std::string("batch_over_simd_mt_") + where, at + "batch", at + "simd_mt");
   }
   for (const char* population : {"degenerate", "near_degenerate"}) {
     const std::string at = std::string(population) + "/";
-    print_ratio(m, std::string("epick_over_single_") + population, at + "epick", at + "single");
-    print_ratio(m, std::string("epick_over_batch_") + population, at + "epick", at + "batch");
-    print_ratio(m, std::string("rational_over_single_") + population, at + "sf_rational", at + "single");
+    m.print_ratio(std::string("epick_over_single_") + population, at + "epick", at + "single");
+    m.print_ratio(std::string("epick_over_batch_") + population, at + "epick", at + "batch");
+    m.print_ratio(std::string("rational_over_single_") + population, at + "sf_rational", at + "single");
   }
 }
 
@@ -240,18 +200,10 @@ void print_share_past_the_filter() {
 
 int main(int argc, char** argv) {
   using namespace tribunal::bench;
-  std::vector<std::string> defaults = {argv[0], "--benchmark_repetitions=25", "--benchmark_min_time=0.02",
-                                       "--benchmark_enable_random_interleaving=true"};
-  for (int i = 1; i < argc; ++i) defaults.emplace_back(argv[i]);
-  std::vector<char*> arguments;
-  for (std::string& a : defaults) arguments.push_back(a.data());
-  int count = static_cast<int>(arguments.size());
-  benchmark::Initialize(&count, arguments.data());
-  if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 2;
-  register_all();
   Medians medians;
-  if (benchmark::RunSpecifiedBenchmarks(&medians) == 0) return 1;
-  medians.print();
+  register_all();
+  if (const int failed = run_interleaved(argc, argv, 25, medians)) return failed;
+  medians.print("ns a pair");
   print_share_past_the_filter();
   print_ratios(medians);
 }
