@@ -9,8 +9,14 @@
 namespace tribunal {
 namespace {
 
-/// The normal that sees the corners counter-clockwise; zero for a face that rounds to no area.
-Point3 face_normal(const Triangle& t) { return normalised(glm::cross(normalised(t.b - t.a), normalised(t.c - t.a))); }
+/// The normal that sees the corners counter-clockwise; zero for a face that rounds to no area. The edges are
+/// normalised first where their product may leave the range of doubles.
+Point3 face_normal(const Triangle& t) {
+  const Point3 normal = glm::cross(t.b - t.a, t.c - t.a);
+  const double square = glm::dot(normal, normal);
+  if (square > 0x1p-900 && square < 0x1p900) return normal / std::sqrt(square);
+  return normalised(glm::cross(normalised(t.b - t.a), normalised(t.c - t.a)));
+}
 
 /// The hit point is in the face's box, so the computed one is moved there; a parameter that is not a number (a
 /// method may report hits that no formula confirms) leads to the box's corner.
@@ -95,9 +101,11 @@ Colour WhittedTracer::light_on(Surface& s, const Light& light) {
   note(RayKind::shadow, way, blocked, blocked);
   if (blocked) return {};
   const Material& m = s.material;
-  const double shine = std::max(0.0, glm::dot(mirrored(to_light, s.at.normal), s.view));
   Colour colour = m.diffuse * cosine * (m.colour * light.colour);
-  colour += m.specular * std::pow(shine, m.shininess) * light.colour;
+  if (m.specular > 0) {
+    const double shine = std::max(0.0, glm::dot(mirrored(to_light, s.at.normal), s.view));
+    colour += m.specular * std::pow(shine, m.shininess) * light.colour;
+  }
   return strength * colour;
 }
 
