@@ -8,6 +8,7 @@
 #include "tracer/cli/command.h"
 #include "tracer/compare.h"
 #include "tracer/image/heat_map.h"
+#include "tracer/mesh/topology.h"
 #include "tracer/pov/export_pov.h"
 #include "tracer/scene/read_scene.h"
 
@@ -151,6 +152,38 @@ std::string describe(const World& world, const Options& o, int depth) {
   return text;
 }
 
+/// What the edges of the solids say: one line for those that are sound, and one for each of the first others.
+std::string describe_solids(const Scene& scene, const std::vector<Topology>& topologies) {
+  constexpr std::size_t most = 8;
+  std::string text;
+  std::size_t sound = 0, others = 0;
+  for (std::size_t i = 0; i < scene.solids.size(); ++i) {
+    const std::string said = describe(topologies[i]);
+    if (said == "closed, oriented") {
+      ++sound;
+    } else if (++others <= most) {
+      text += scene.solids[i].name + ": " + said + "\n";
+    }
+  }
+  if (others > most) text += formatted("and %zu solids more, see --stats\n", others - most);
+  return formatted("%zu of %zu solids are closed, oriented and manifold along their edges\n", sound,
+                   scene.solids.size()) +
+         text;
+}
+
+Json to_json(const Solid& solid, const Topology& t) {
+  return {{"name", solid.name},
+          {"vertices", solid.mesh.vertices.size()},
+          {"faces", solid.mesh.triangles.size() + solid.mesh.polygons.size()},
+          {"edges", t.edges},
+          {"closed", t.closed()},
+          {"oriented", t.oriented()},
+          {"inward", t.inward},
+          {"odd_edges", t.odd},
+          {"non_manifold_edges", t.crowded},
+          {"unmatched_edges", t.unmatched}};
+}
+
 std::string table_head() {
   return formatted("\n%-14s %9s %10s %11s %11s %12s %12s %7s %8s\n", "method", "primary", "shadow", "reflection",
                    "refraction", "box tests", "face tests", "hits", "seconds");
@@ -220,7 +253,12 @@ int run(const Options& o) {
                 {"fmt", name_of(world.format)},
                 {"accel", o.accel},
                 {"depth", depth}};
-  std::string report = describe(world, o, depth) + table_head();
+  std::vector<Topology> topologies;
+  for (const Solid& solid : scene.solids) {
+    topologies.push_back(topology_of(solid.mesh));
+    stats["solids"].push_back(to_json(solid, topologies.back()));
+  }
+  std::string report = describe(world, o, depth) + describe_solids(scene, topologies) + table_head();
   for (std::size_t i = 0; i < methods.size(); ++i) {
     stats["methods"].push_back(to_json(methods[i], renderings[i].tally));
     report += table_row(methods[i], renderings[i]);
