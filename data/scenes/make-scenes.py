@@ -147,8 +147,8 @@ def vertex_pair():
 
 
 def comb():
-    s = Solid("A comb whose teeth touch: the outline runs through six of its corners twice, so the faces' rings touch "
-              "themselves and the solid has six edges in which four faces meet.")
+    s = Solid("A comb whose teeth touch: the outline runs through seven of its corners twice, so the faces' rings touch "
+              "themselves and the solid has seven edges in which four faces meet.")
     low = [(0, 0), (64, 0)]
     for i in range(7, -1, -1):  # teeth along the back, neighbours touch at their widest
         low += [(8 * i + 8, 16), (8 * i + 8, 24), (8 * i + 4, 48), (8 * i, 24)] if i == 7 else \
