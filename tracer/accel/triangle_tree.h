@@ -3,11 +3,11 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <span>
 
 #include "core/query.h"
+#include "tracer/accel/wide/tree.h"
 
 namespace tribunal {
 
@@ -25,9 +25,6 @@ struct Nearest {
 class TriangleTree {
  public:
   explicit TriangleTree(std::span<const Triangle> triangles);
-  TriangleTree(TriangleTree&&) noexcept;
-  TriangleTree& operator=(TriangleTree&&) noexcept;
-  ~TriangleTree();
 
   std::optional<Nearest> closest(const Ray& ray) const;
 
@@ -35,8 +32,7 @@ class TriangleTree {
   std::size_t bytes() const;
 
  private:
-  struct Parts;
-  std::unique_ptr<const Parts> parts_;
+  WideTree tree_;
 };
 
 }  // namespace tribunal
