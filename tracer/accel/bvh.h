@@ -52,6 +52,7 @@ class BoxTree {
   }
 
   std::size_t node_count() const { return nodes_.size(); }
+  std::size_t bytes() const { return nodes_.size() * sizeof(Node) + ids_.size() * sizeof ids_[0]; }
 
  private:
   /// A leaf holds ids_[first .. first+count), an inner node the children nodes_[first .. first+count).

@@ -1,35 +1,28 @@
-#include "exact/methods.h"
 #include "tests/bench/tracer/peers.h"
-#include "tracer/shading/visibility.h"
+#include "tracer/accel/triangle_tree.h"
 
 namespace tribunal::bench {
 namespace {
 
-Scene scene_of(const Mesh& mesh) {
-  Scene scene{};
-  scene.solids.push_back({"mesh", mesh, {}});
-  return scene;
+std::vector<Triangle> triangles_of(const Mesh& mesh) {
+  std::vector<Triangle> triangles;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) triangles.push_back(mesh.triangle(i));
+  return triangles;
 }
 
 class OurCaster : public Caster {
  public:
-  explicit OurCaster(const Mesh& mesh)
-      : scene_(scene_of(mesh)),
-        world_(make_world(scene_, Format::binary64, Accel::bvh)),
-        visibility_(world_, *find_method("sf-filtered"), tally_) {}
+  explicit OurCaster(const Mesh& mesh) : tree_(triangles_of(mesh)) {}
 
   std::int64_t first_hit(const Ray& ray) override {
-    const auto hit = visibility_.first_hit(ray);
-    return hit ? std::int64_t{*hit} : -1;
+    const auto hit = tree_.closest(ray);
+    return hit ? std::int64_t{hit->id} : -1;
   }
 
-  std::size_t bytes() const override { return 0; }
+  std::size_t bytes() const override { return tree_.bytes(); }
 
  private:
-  Scene scene_;
-  World world_;
-  RayTally tally_;
-  Visibility visibility_;
+  TriangleTree tree_;
 };
 
 }  // namespace

@@ -21,7 +21,7 @@ class Caster {
   virtual std::size_t bytes() const = 0;
 };
 
-/// sf-filtered in the tracer's tree: the code that `tribunal render` runs.
+/// sf-filtered in the tracer's tree.
 std::unique_ptr<Caster> make_ours(const Mesh& mesh);
 
 /// Embree 3 in robust mode, rtcIntersect1, its default build quality; binary32, not exact.

@@ -1,0 +1,38 @@
+// Certified closest hit without a scene: triangles in, the nearest exact hit of a ray out.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "core/query.h"
+#include "tracer/accel/wide/tree.h"
+
+namespace tribunal {
+
+/// What a ray hits first. The choice is exact: smallest exact t, ties by lowest id. `t` itself is rounded.
+struct Nearest {
+  std::uint32_t id;
+  double t;
+};
+
+/// A hierarchy of boxes over triangles with finite coordinates; ids are indices into the list given.
+///
+/// Laws. (1) `closest` is what a test of every triangle by exact arithmetic gives, in the tracer's reading: a
+/// triangle that holds the ray in its plane, or has no area, is not hit. (2) A ray that is not finite hits nothing.
+/// (3) All const functions may be called from any number of threads at once.
+class TriangleTree {
+ public:
+  explicit TriangleTree(std::span<const Triangle> triangles);
+
+  std::optional<Nearest> closest(const Ray& ray) const;
+
+  /// Memory in all: boxes, triangles, ids.
+  std::size_t bytes() const;
+
+ private:
+  WideTree tree_;
+};
+
+}  // namespace tribunal

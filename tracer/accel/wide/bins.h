@@ -1,0 +1,103 @@
+// Where to cut a set of boxes in two: the surface area heuristic over bins.
+// Source: Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", RT 2007.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+
+namespace tribunal {
+
+/// Three binary32 numbers and a fourth that nobody looks at, in one register.
+using Float4 = float __attribute__((vector_size(16)));
+
+inline Float4 least(Float4 a, Float4 b) { return a < b ? a : b; }
+inline Float4 greatest(Float4 a, Float4 b) { return a > b ? a : b; }
+
+/// A box in the frame of a tree; empty until something is put in.
+struct FrameBox {
+  static constexpr float infinity = std::numeric_limits<float>::infinity();
+  Float4 lo{infinity, infinity, infinity, infinity};
+  Float4 hi{-infinity, -infinity, -infinity, -infinity};
+
+  void add(const FrameBox& b) {
+    lo = least(lo, b.lo);
+    hi = greatest(hi, b.hi);
+  }
+  void add(Float4 p) {
+    lo = least(lo, p);
+    hi = greatest(hi, p);
+  }
+
+  /// Half of the surface; 0 if empty.
+  float area() const {
+    const Float4 d = hi - lo;
+    return d[0] >= 0 ? d[0] * d[1] + d[1] * d[2] + d[2] * d[0] : 0;
+  }
+};
+
+/// A primitive while the tree is built.
+struct BuildRef {
+  FrameBox box;
+  std::uint32_t id;
+
+  /// Twice the centre of its box.
+  Float4 centre() const { return box.lo + box.hi; }
+};
+
+/// What bounds a set of primitives, and what bounds their centres (twice).
+struct Extent {
+  FrameBox box, centres;
+
+  void add(const BuildRef& r) {
+    box.add(r.box);
+    centres.add(r.centre());
+  }
+  void add(const Extent& e) {
+    box.add(e.box);
+    centres.add(e.centres);
+  }
+};
+
+/// A plane between two bins; those whose bin is below `bin` go left.
+struct Cut {
+  int axis = -1;  ///< −1: all centres are equal
+  int bin = 0;
+};
+
+inline constexpr int bin_count = 16;
+
+/// Sorts centres into bins on each axis.
+class Binning {
+ public:
+  explicit Binning(const FrameBox& centres) : origin_(centres.lo) {
+    const Float4 size = centres.hi - centres.lo;
+    for (int i = 0; i < 3; ++i) scale_[i] = size[i] > 0x1p-100F ? bin_count * (1 - 0x1p-20F) / size[i] : 0;
+  }
+
+  bool splits(int axis) const { return scale_[axis] > 0; }
+
+  /// Below bin_count, as a product with a number that rounding cannot lift to it; not negative.
+  int bin(const BuildRef& r, int axis) const {
+    return static_cast<int>((r.centre()[axis] - origin_[axis]) * scale_[axis]);
+  }
+
+ private:
+  Float4 origin_, scale_{};
+};
+
+/// Boxes and numbers of what fell into each bin of each axis.
+struct Bins {
+  std::array<std::array<FrameBox, bin_count>, 3> box;
+  std::array<std::array<std::uint32_t, bin_count>, 3> count{};
+
+  void add(std::span<const BuildRef> refs, const Binning& binning);
+  void add(const Bins& other);
+
+  /// The cheapest cut, the lowest axis and bin among equals: the areas of the two sides by the number of leaves that
+  /// they fill.
+  Cut best(const Binning& binning) const;
+};
+
+}  // namespace tribunal

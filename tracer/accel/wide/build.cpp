@@ -1,0 +1,270 @@
+// Builds the tree from the top: a set is cut in two again and again until there are eight, which become a node.
+// Source of the order (the child of largest area is cut next): Wald, Benthin, Boulos, RT 2008; Embree's builders.
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "core/format.h"
+#include "tracer/accel/wide/bins.h"
+#include "tracer/accel/wide/tree.h"
+
+namespace tribunal {
+namespace {
+
+constexpr int deepest_by_cost = 48;         ///< below this, medians halve what is left, so the depth stays bounded
+constexpr std::size_t worth_a_task = 4096;  ///< primitives; fixed, so that the tree does not depend on threads
+constexpr float beyond = 0x1p100F;
+
+float float_below(double x) {
+  const float f = static_cast<float>(to_binary32(x));
+  return static_cast<double>(f) > x ? std::nextafterf(f, -FrameBox::infinity) : f;
+}
+
+/// The frame of a box: the unit brings half of its largest side to between 1/2 and 1.
+Frame frame_of(const Box& b) {
+  Frame frame;
+  if (b.lo.x > b.hi.x) return frame;
+  const Point3 half = 0.5 * b.hi - 0.5 * b.lo;
+  int exponent = 0;
+  std::frexp(std::max({half.x, half.y, half.z}), &exponent);
+  frame.centre = 0.5 * b.lo + 0.5 * b.hi;
+  frame.unit = std::ldexp(1.0, std::clamp(-exponent, -1000, 1000));
+  return frame;
+}
+
+/// A lower bound of (x − centre)·unit. No x lies farther than 2³⁰ units from the centre, whatever rounding says.
+float low_in(const Frame& frame, double x, int axis) {
+  const double scaled = below(below(x - frame.centre[axis]) * frame.unit);
+  return float_below(std::max(scaled, -0x1p30));
+}
+
+float high_in(const Frame& frame, double x, int axis) { return -low_in({-frame.centre, frame.unit, 0}, -x, axis); }
+
+FrameBox in_frame(const Frame& f, const Box& b) {
+  FrameBox box;
+  for (int i = 0; i < 3; ++i) {
+    box.lo[i] = low_in(f, b.lo[i], i);
+    box.hi[i] = high_in(f, b.hi[i], i);
+  }
+  box.lo[3] = box.hi[3] = 0;
+  return box;
+}
+
+using Refs = std::span<BuildRef>;
+using Nodes = std::vector<WideNode>;
+
+/// A part of the primitives on its way to become a child.
+struct Part {
+  Refs refs;
+  Extent extent;
+  int level = 0;
+};
+
+Extent extent_of(Refs refs) {
+  Extent e;
+  for (const BuildRef& r : refs) e.add(r);
+  return e;
+}
+
+/// The same in parallel: least and greatest do not depend on the order.
+template <class Sum, class Add, class Join>
+Sum summed(Refs refs, const Sum& zero, const Add& add, const Join& join) {
+  if (refs.size() < 8 * worth_a_task) return add(refs, zero);
+  return tbb::parallel_deterministic_reduce(
+      tbb::blocked_range<std::size_t>(0, refs.size(), worth_a_task), zero,
+      [&](const tbb::blocked_range<std::size_t>& range, const Sum& sum) {
+        return add(refs.subspan(range.begin(), range.size()), sum);
+      },
+      join);
+}
+
+}  // namespace
+
+class WideBuilder {
+ public:
+  WideBuilder(WideTree& tree, std::uint32_t count, const std::function<Primitive(std::uint32_t)>& primitive)
+      : tree_(tree), primitive_(primitive), refs_(count) {}
+
+  void build() {
+    const std::uint32_t count = static_cast<std::uint32_t>(refs_.size());
+    tree_.frame_ = frame_of(bounds(count));
+    tbb::parallel_for(std::uint32_t{0}, count, [&](std::uint32_t i) {
+      refs_[i] = {in_frame(tree_.frame_, primitive_(i).box), i};
+    });
+    tree_.ids_.resize(count);
+    tree_.columns_.resize(std::size_t{9} * count + leaf_size);
+    if (count == 0) return;
+    const Part all{refs_, extent_in_parallel(refs_), 0};
+    tree_.frame_.reach = reach_of(all.extent.box);
+    tree_.root_ = grow(all, tree_.nodes_);
+    tree_.nodes_.shrink_to_fit();
+  }
+
+ private:
+  Box bounds(std::uint32_t count) const {
+    return tbb::parallel_deterministic_reduce(
+        tbb::blocked_range<std::uint32_t>(0, count, worth_a_task), Box(),
+        [&](const tbb::blocked_range<std::uint32_t>& range, Box box) {
+          for (std::uint32_t i = range.begin(); i < range.end(); ++i) box.add(primitive_(i).box);
+          return box;
+        },
+        [](Box a, const Box& b) {
+          a.add(b);
+          return a;
+        });
+  }
+
+  static Extent extent_in_parallel(Refs refs) {
+    return summed(
+        refs, Extent(),
+        [](Refs some, Extent e) {
+          e.add(extent_of(some));
+          return e;
+        },
+        [](Extent a, const Extent& b) {
+          a.add(b);
+          return a;
+        });
+  }
+
+  static double reach_of(const FrameBox& b) {
+    double reach = 0;
+    for (int i = 0; i < 3; ++i) reach = std::max({reach, std::fabs(double{b.lo[i]}), std::fabs(double{b.hi[i]})});
+    return reach;
+  }
+
+  /// Where refs are parted so that the left side is cheap together with the right; nothing if no cut parts them.
+  static std::size_t part_by_cost(const Part& p) {
+    const Binning binning(p.extent.centres);
+    const Bins bins = summed(
+        p.refs, Bins(),
+        [&](Refs some, Bins b) {
+          b.add(some, binning);
+          return b;
+        },
+        [](Bins a, const Bins& b) {
+          a.add(b);
+          return a;
+        });
+    const Cut cut = bins.best(binning);
+    if (cut.axis < 0) return 0;
+    const auto middle = std::partition(p.refs.begin(), p.refs.end(),
+                                       [&](const BuildRef& r) { return binning.bin(r, cut.axis) < cut.bin; });
+    return static_cast<std::size_t>(middle - p.refs.begin());
+  }
+
+  /// In the middle, along the longest extent of the centres; ids break ties.
+  static std::size_t part_by_number(const Part& p) {
+    const Float4 size = p.extent.centres.hi - p.extent.centres.lo;
+    const int axis = size[0] >= size[1] && size[0] >= size[2] ? 0 : size[1] >= size[2] ? 1 : 2;
+    const std::size_t middle = p.refs.size() / 2;
+    std::nth_element(p.refs.begin(), p.refs.begin() + static_cast<std::ptrdiff_t>(middle), p.refs.end(),
+                     [axis](const BuildRef& a, const BuildRef& b) {
+                       return std::pair(a.centre()[axis], a.id) < std::pair(b.centre()[axis], b.id);
+                     });
+    return middle;
+  }
+
+  static std::pair<Part, Part> cut(const Part& p) {
+    std::size_t middle = p.level < deepest_by_cost ? part_by_cost(p) : 0;
+    if (middle == 0 || middle == p.refs.size()) middle = part_by_number(p);
+    const Refs left = p.refs.first(middle), right = p.refs.subspan(middle);
+    return {{left, extent_in_parallel(left), p.level + 1}, {right, extent_in_parallel(right), p.level + 1}};
+  }
+
+  /// Up to eight parts, in the order of their refs: the largest that is too large for a leaf is cut next.
+  static std::vector<Part> children_of(const Part& whole) {
+    std::vector<Part> parts{whole};
+    while (parts.size() < node_width) {
+      const auto cost = [](const Part& p) { return p.refs.size() > leaf_size ? p.extent.box.area() : -1; };
+      const auto largest =
+          std::max_element(parts.begin(), parts.end(), [&](const Part& a, const Part& b) { return cost(a) < cost(b); });
+      if (cost(*largest) < 0) break;
+      const auto [left, right] = cut(*largest);
+      *largest = left;
+      parts.insert(largest + 1, right);
+    }
+    return parts;
+  }
+
+  /// Appends the nodes of a part to `nodes` and says where it starts. Parts worth it grow in parallel, each on its own,
+  /// and are appended in order.
+  NodeRef grow(const Part& part, Nodes& nodes) {
+    if (part.refs.size() <= leaf_size) return fill_leaf(part.refs);
+    const std::vector<Part> parts = children_of(part);
+    const auto index = static_cast<std::uint32_t>(nodes.size());
+    nodes.push_back(empty_node());
+    if (part.refs.size() < worth_a_task) {
+      for (std::size_t k = 0; k < parts.size(); ++k) {
+        const NodeRef child = grow(parts[k], nodes);
+        set_child(nodes[index], k, parts[k].extent.box, child);
+      }
+      return NodeRef::node(index);
+    }
+    std::array<Nodes, node_width> grown;
+    std::array<NodeRef, node_width> roots;
+    tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t k) { roots[k] = grow(parts[k], grown[k]); });
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      set_child(nodes[index], k, parts[k].extent.box, append(nodes, grown[k], roots[k]));
+    }
+    return NodeRef::node(index);
+  }
+
+  static NodeRef moved(NodeRef r, std::uint32_t by) { return r.is_leaf() ? r : NodeRef::node(r.index() + by); }
+
+  static NodeRef append(Nodes& nodes, const Nodes& grown, NodeRef root) {
+    const auto by = static_cast<std::uint32_t>(nodes.size());
+    for (WideNode node : grown) {
+      for (NodeRef& child : node.child) child = moved(child, by);
+      nodes.push_back(node);
+    }
+    return moved(root, by);
+  }
+
+  static WideNode empty_node() {
+    WideNode node;
+    for (std::size_t i = 0; i < 6; ++i) std::fill_n(node.plane[i], node_width, i < 3 ? beyond : -beyond);
+    std::fill_n(node.child, node_width, NodeRef::leaf(0, 1));
+    return node;
+  }
+
+  static void set_child(WideNode& node, std::size_t k, const FrameBox& box, NodeRef child) {
+    for (int i = 0; i < 3; ++i) {
+      node.plane[i][k] = box.lo[i];
+      node.plane[i + 3][k] = box.hi[i];
+    }
+    node.child[k] = child;
+  }
+
+  NodeRef fill_leaf(Refs refs) {
+    const auto first = static_cast<std::uint32_t>(refs.data() - refs_.data());
+    const NodeRef leaf = NodeRef::leaf(first, static_cast<std::uint32_t>(refs.size()));
+    std::sort(refs.begin(), refs.end(), [](const BuildRef& a, const BuildRef& b) { return a.id < b.id; });
+    double* column = tree_.columns_.data() + std::size_t{9} * first;
+    for (std::size_t lane = 0; lane < refs.size(); ++lane) {
+      tree_.ids_[first + lane] = refs[lane].id;
+      const Point3 nowhere(std::numeric_limits<double>::quiet_NaN());
+      const Triangle t = primitive_(refs[lane].id).triangle.value_or(Triangle{nowhere, nowhere, nowhere});
+      std::size_t k = lane;
+      for (const Point3& v : {t.a, t.b, t.c}) {
+        for (int i = 0; i < 3; ++i, k += refs.size()) column[k] = v[i];
+      }
+    }
+    return leaf;
+  }
+
+  WideTree& tree_;
+  const std::function<Primitive(std::uint32_t)>& primitive_;
+  std::vector<BuildRef> refs_;
+};
+
+WideTree::WideTree(std::uint32_t count, const std::function<Primitive(std::uint32_t)>& primitive) {
+  if (count > NodeRef::most_triangles) throw std::length_error("tree: more than 2^28 primitives");
+  WideBuilder(*this, count, primitive).build();
+}
+
+}  // namespace tribunal

@@ -1,0 +1,50 @@
+// Walking down the tree with one probe, on the vector lanes that the machine has.
+#pragma once
+
+#include <cstdint>
+
+#include "tracer/accel/wide/probe.h"
+
+namespace tribunal {
+
+/// A primitive that the walk came upon, with what the lanes know of it. Where `certain`, the probe certainly hits it in
+/// general position. num and den are orient3d(a, b, c, source) and, negated, what a point gains on the plane along d:
+/// the probe reaches the plane at num/den. Each is known up to ±bound; bound is infinite where nothing is known.
+struct Finding {
+  Place place;
+  bool certain;
+  double num, den, bound;
+};
+
+/// Told of every finding, in the order of the walk.
+class Finder {
+ public:
+  /// Whether the walk may stop.
+  virtual bool found(const Finding& f) = 0;
+
+  float limit = WideProbe::far_away;  ///< on τ: boxes entered later are skipped; `found` may lower it
+
+ protected:
+  ~Finder() = default;
+};
+
+/// What a walk did.
+struct WalkCounts {
+  std::uint64_t boxes = 0, triangles = 0;
+};
+
+/// Law of all walks: every primitive that the probe exactly meets at t ≤ limit is found, but for those that are
+/// certainly missed. `sifted` walks skip triangles that the filter of shared_volumes.h is certain are missed; the
+/// plain walk finds all primitives of all leaves.
+struct TreeTarget {
+  void (*sift_ray)(const WideTree&, const WideProbe&, const Ray&, Finder&, WalkCounts&);
+  void (*sift_segment)(const WideTree&, const WideProbe&, const Segment&, Finder&, WalkCounts&);
+  void (*visit_all)(const WideTree&, const WideProbe&, Finder&, WalkCounts&);
+};
+
+extern const TreeTarget tree_avx512, tree_avx2, tree_portable;
+
+/// That of the batch's target in use (exact/filtered/batch.h).
+const TreeTarget& tree_target();
+
+}  // namespace tribunal

@@ -1,0 +1,231 @@
+// The walk on vector lanes. Included by files that are compiled for one instruction set each.
+#pragma once
+
+#include <bit>
+
+#include "exact/filtered/batch/lanes.h"
+#include "exact/filtered/shared_volumes.h"
+#include "tracer/accel/wide/traversal.h"
+
+namespace tribunal::HWY_NAMESPACE {
+
+using BoxTag = hn::CappedTag<float, node_width>;
+using BoxVector = hn::Vec<BoxTag>;
+
+inline constexpr BoxTag box_tag;
+
+/// The constants of a probe in every lane.
+struct BoxLanes {
+  struct Axis {
+    BoxVector r, near_c, far_c;
+    std::uint32_t near_plane, far_plane;
+  };
+
+  explicit BoxLanes(const WideProbe& p) : x(axis(p.axes[0])), y(axis(p.axes[1])), z(axis(p.axes[2])) {}
+
+  /// Which children may be met at τ ≤ limit, a bit each; entry[k] is where.
+  HWY_INLINE unsigned entered(const WideNode& node, float limit, float* entry) const {
+    unsigned met = 0;
+    for (std::size_t k = 0; k < node_width; k += hn::Lanes(box_tag)) {
+      const BoxVector first =
+          hn::Max(hn::Max(near(node, x, k), near(node, y, k)), hn::Max(near(node, z, k), hn::Zero(box_tag)));
+      const BoxVector last =
+          hn::Min(hn::Min(far(node, x, k), far(node, y, k)), hn::Min(far(node, z, k), hn::Set(box_tag, limit)));
+      hn::StoreU(first, box_tag, entry + k);
+      std::uint8_t bits[8] = {};
+      hn::StoreMaskBits(box_tag, hn::Le(first, last), bits);
+      met |= static_cast<unsigned>(bits[0]) << k;
+    }
+    return met;
+  }
+
+ private:
+  static Axis axis(const WideProbe::Axis& a) {
+    return {hn::Set(box_tag, a.r), hn::Set(box_tag, a.near_c), hn::Set(box_tag, a.far_c), a.near_plane, a.far_plane};
+  }
+  static HWY_INLINE BoxVector near(const WideNode& node, const Axis& a, std::size_t k) {
+    return hn::MulSub(hn::LoadU(box_tag, node.plane[a.near_plane] + k), a.r, a.near_c);
+  }
+  static HWY_INLINE BoxVector far(const WideNode& node, const Axis& a, std::size_t k) {
+    return hn::MulSub(hn::LoadU(box_tag, node.plane[a.far_plane] + k), a.r, a.far_c);
+  }
+
+  Axis x, y, z;
+};
+
+/// Children that wait, the one entered first on top: (entry, child) as one number, since an entry is not negative.
+class WaitingNodes {
+ public:
+  static std::uint64_t key(float entry, NodeRef child) {
+    return std::uint64_t{std::bit_cast<std::uint32_t>(entry)} << 32 | child.bits();
+  }
+
+  bool empty() const { return size_ == 0; }
+  std::uint64_t pop() { return keys_[--size_]; }
+  void push(std::uint64_t key) { keys_[size_++] = key; }
+
+  /// Sorts what was pushed since there were `from`, the least on top.
+  void sort_from(std::size_t from) {
+    for (std::size_t i = from + 1; i < size_; ++i) {
+      const std::uint64_t key = keys_[i];
+      std::size_t k = i;
+      for (; k > from && keys_[k - 1] < key; --k) keys_[k] = keys_[k - 1];
+      keys_[k] = key;
+    }
+  }
+  std::size_t size() const { return size_; }
+
+ private:
+  static constexpr std::size_t depth = 48 + 28;  ///< at most, of a tree (build.cpp)
+
+  std::size_t size_ = 0;
+  std::uint64_t keys_[depth * (node_width - 1) + node_width];
+};
+
+/// Pushes the children that are met; the one entered first is returned. Not for none.
+HWY_INLINE std::uint64_t first_of(const WideNode& node, unsigned met, const float* entry, WaitingNodes& waiting) {
+  const auto next = [&] {
+    const auto k = static_cast<std::size_t>(std::countr_zero(met));
+    met &= met - 1;
+    return WaitingNodes::key(entry[k], node.child[k]);
+  };
+  const std::uint64_t a = next();
+  if (met == 0) return a;
+  const std::uint64_t b = next();
+  if (met == 0) {
+    waiting.push(a < b ? b : a);
+    return a < b ? a : b;
+  }
+  const std::size_t from = waiting.size();
+  waiting.push(a);
+  waiting.push(b);
+  while (met != 0) waiting.push(next());
+  waiting.sort_from(from);
+  return waiting.pop();
+}
+
+/// Calls leaf(ref) for every leaf that may be met by the finder's limit, nearer ones first, until it returns true.
+template <class Leaf>
+HWY_INLINE void walk(const WideTree& tree, const WideProbe& probe, const Finder& finder, WalkCounts& counts,
+                     const Leaf& leaf) {
+  if (tree.empty()) return;
+  const BoxLanes lanes(probe);
+  const WideNode* const nodes = tree.nodes();
+  WaitingNodes waiting;
+  NodeRef at = tree.root();
+  while (true) {
+    bool descend = false;
+    if (at.is_leaf()) {
+      if (leaf(at)) return;
+    } else {
+      const WideNode& node = nodes[at.index()];
+      float entry[node_width];
+      counts.boxes += node_width;
+      const unsigned met = lanes.entered(node, finder.limit, entry);
+      descend = met != 0;
+      if (descend) at = NodeRef(static_cast<std::uint32_t>(first_of(node, met, entry, waiting)));
+    }
+    while (!descend) {
+      if (waiting.empty()) return;
+      const std::uint64_t key = waiting.pop();
+      at = NodeRef(static_cast<std::uint32_t>(key));
+      descend = std::bit_cast<float>(static_cast<std::uint32_t>(key >> 32)) <= finder.limit;
+    }
+  }
+}
+
+/// The probe and the filter's constants in every lane.
+template <class P>
+class LeafSieve {
+ public:
+  explicit LeafSieve(const P& probe)
+      : source_(broadcast(tribunal::source(probe))), target_(broadcast(vector_of(tribunal::target(probe)))) {}
+
+  /// Tells of the triangles of a leaf that are not certainly missed.
+  HWY_INLINE bool sift(const WideTree& tree, NodeRef leaf, Finder& finder) const {
+    const double* const column = tree.columns(leaf);
+    const std::size_t count = leaf.count();
+    constexpr std::size_t step = HWY_LANES(double);
+    for (std::size_t from = 0; from < count; from += step) {
+      const unsigned present = (1U << std::min(step, count - from)) - 1;
+      const Arms<Lanes> arms =
+          arms_of(vertex(column + from, 0, count), vertex(column + from, 1, count), vertex(column + from, 2, count));
+      const Vec3<Lanes> m = largest(arms);
+      const Lanes bound = volume_bound(m, constants_);
+      const SharedVolumes<Lanes> volumes = shared_volumes<P>(arms);
+      const Lanes margin = margin_of(volumes);
+      const unsigned safe = in_range(m, constants_).bits();
+      const unsigned missed = certain_miss(margin, bound).bits() & safe;
+      const unsigned rest = present & ~missed;
+      if (HWY_LIKELY(rest == 0)) continue;
+      const unsigned hit = certain_hit(margin, bound).bits() & safe;
+      if (tell(leaf, static_cast<std::uint32_t>(from), rest, hit, safe, volumes.sides, bound, finder)) return true;
+    }
+    return false;
+  }
+
+ private:
+  static const Point3& vector_of(const Point3& p) { return p; }
+  static const Point3& vector_of(const Direction& d) { return d.v; }
+  static Vec3<Lanes> broadcast(const Point3& p) { return {Lanes(p.x), Lanes(p.y), Lanes(p.z)}; }
+
+  static HWY_INLINE Vec3<Lanes> vertex(const double* column, std::size_t k, std::size_t count) {
+    return {Lanes::load(column + 3 * k * count), Lanes::load(column + (3 * k + 1) * count),
+            Lanes::load(column + (3 * k + 2) * count)};
+  }
+
+  HWY_INLINE Arms<Lanes> arms_of(const Vec3<Lanes>& a, const Vec3<Lanes>& b, const Vec3<Lanes>& c) const {
+    if constexpr (std::is_same_v<P, Segment>) {
+      return segment_arms<Lanes>(source_, target_, {a, b, c});
+    } else {
+      return ray_arms<Lanes>(source_, target_, {a, b, c});
+    }
+  }
+
+  static HWY_NOINLINE bool tell(NodeRef leaf, std::uint32_t from, unsigned rest, unsigned hit, unsigned safe,
+                                const Sides<Lanes>& sides, const Lanes& bound, Finder& finder) {
+    double source[8], toward[8], bounds[8];
+    hn::StoreU(sides.source.v, tag, source);
+    hn::StoreU(sides.toward.v, tag, toward);
+    hn::StoreU(bound.v, tag, bounds);
+    for (; rest != 0; rest &= rest - 1) {
+      const unsigned k = static_cast<unsigned>(std::countr_zero(rest));
+      const bool known = (safe >> k & 1) != 0;
+      const Finding finding{{leaf, from + k},
+                            (hit >> k & 1) != 0,
+                            source[k],
+                            -toward[k],
+                            known ? bounds[k] : std::numeric_limits<double>::infinity()};
+      if (finder.found(finding)) return true;
+    }
+    return false;
+  }
+
+  Vec3<Lanes> source_, target_;
+  FilterConstants<Lanes> constants_{Lanes(shared_volumes_filter.k), Lanes(shared_volumes_filter.tiny),
+                                    Lanes(shared_volumes_filter.huge)};
+};
+
+template <class P>
+[[gnu::flatten]] void sift(const WideTree& tree, const WideProbe& probe, const P& exact_probe, Finder& finder,
+                           WalkCounts& counts) {
+  const LeafSieve<P> sieve(exact_probe);
+  walk(tree, probe, finder, counts, [&](NodeRef leaf) {
+    counts.triangles += leaf.count();
+    return sieve.sift(tree, leaf, finder);
+  });
+}
+
+inline void visit_all(const WideTree& tree, const WideProbe& probe, Finder& finder, WalkCounts& counts) {
+  walk(tree, probe, finder, counts, [&](NodeRef leaf) {
+    counts.triangles += leaf.count();
+    for (std::uint32_t lane = 0; lane < leaf.count(); ++lane) {
+      if (finder.found({{leaf, lane}, false, 0, 0, std::numeric_limits<double>::infinity()})) return true;
+    }
+    return false;
+  });
+}
+
+inline constexpr TreeTarget tree_target_here() { return {sift<Ray>, sift<Segment>, visit_all}; }
+
+}  // namespace tribunal::HWY_NAMESPACE

@@ -1,0 +1,104 @@
+// Eight boxes a node, up to eight triangles a leaf: what the tree of mode `bvh` is made of.
+// Source of the shape: Wald, Benthin, Boulos, "Getting Rid of Packets", RT 2008 (wide nodes for single rays); Dammertz,
+// Hanika, Keller, "Shallow Bounding Volume Hierarchies for Fast SIMD Ray Tracing of Incoherent Rays", CGF 27(4), 2008.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "tracer/accel/box.h"
+
+namespace tribunal {
+
+inline constexpr std::size_t node_width = 8, leaf_size = 8;
+
+/// What a slot of a node refers to: a node by its index, or a leaf by its first triangle and their number.
+class NodeRef {
+ public:
+  static constexpr std::uint32_t most_triangles = 1u << 28;
+
+  constexpr NodeRef() = default;
+  explicit constexpr NodeRef(std::uint32_t bits) : bits_(bits) {}
+  static constexpr NodeRef node(std::uint32_t index) { return NodeRef(index); }
+  static constexpr NodeRef leaf(std::uint32_t first, std::uint32_t count) {
+    return NodeRef(1u << 31 | (count - 1) << 28 | first);
+  }
+
+  constexpr bool is_leaf() const { return bits_ >> 31 != 0; }
+  constexpr std::uint32_t index() const { return bits_; }
+  constexpr std::uint32_t first() const { return bits_ & (most_triangles - 1); }
+  constexpr std::uint32_t count() const { return (bits_ >> 28 & 7) + 1; }
+  constexpr std::uint32_t bits() const { return bits_; }
+
+ private:
+  std::uint32_t bits_ = 0;
+};
+
+/// Where the boxes' binary32 coordinates live: X = (x − centre)·unit, so that a mesh keeps sharp boxes however far from
+/// the origin it lies. `unit` is a power of two; it makes the largest |X| about 1 where its own range allows.
+struct Frame {
+  Point3 centre{0};
+  double unit = 1;
+  double reach = 0;  ///< the largest |X| of any box
+};
+
+/// Boxes by planes: lo x, lo y, lo z, hi x, hi y, hi z, of up to eight children. A box in the frame contains the box of
+/// its primitives. Slots without a child have empty boxes (planes ±2¹⁰⁰), which no probe meets.
+struct alignas(32) WideNode {
+  float plane[6][node_width];
+  NodeRef child[node_width];
+};
+
+/// A primitive for the tree: what bounds it and, if it is a triangle, what it is. Others are asked of the caller.
+struct Primitive {
+  Box box;
+  std::optional<Triangle> triangle;
+};
+
+/// A triangle where the tree keeps it: lane `lane` of a leaf.
+struct Place {
+  NodeRef leaf;
+  std::uint32_t lane;
+};
+
+/// The tree. Leaves hold their triangles by columns (a.x of all, a.y of all, …, c.z of all) without gaps, so that 8
+/// lanes load them at once; a primitive that is no triangle has NaN there, of which no filter is certain.
+class WideTree {
+ public:
+  WideTree() = default;
+
+  /// Over primitives 0 … count − 1. The tree depends on the primitives alone, not on the number of threads that build
+  /// it. Coordinates must be finite. Throws std::length_error beyond 2²⁸ primitives.
+  WideTree(std::uint32_t count, const std::function<Primitive(std::uint32_t)>& primitive);
+
+  bool empty() const { return ids_.empty(); }
+  NodeRef root() const { return root_; }
+  const Frame& frame() const { return frame_; }
+  const WideNode* nodes() const { return nodes_.data(); }
+
+  /// Columns of a leaf, each `count` long; 8 numbers may be read from the start of each.
+  const double* columns(NodeRef leaf) const { return columns_.data() + std::size_t{9} * leaf.first(); }
+
+  std::uint32_t id(Place p) const { return ids_[p.leaf.first() + p.lane]; }
+
+  /// Its coordinates, bit for bit; NaN if it is no triangle.
+  Triangle triangle(Place p) const;
+
+  std::size_t node_count() const { return nodes_.size(); }
+  std::size_t bytes() const;
+
+ private:
+  friend class WideBuilder;
+
+  Frame frame_;
+  NodeRef root_;
+  std::vector<WideNode> nodes_;
+  std::vector<double> columns_;
+  std::vector<std::uint32_t> ids_;
+};
+
+}  // namespace tribunal
