@@ -27,3 +27,10 @@ expect 3 render no/such/scene.json --method sf-double -o "$scratch/b.png"
 [ ! -e "$scratch/b.png" ]
 expect 2 render data/scenes/cube-grid.json --method sf-double --accel octree -o "$scratch/b.png"
 expect 5 render data/scenes/cube-grid.json --method sf-double -o /dev/full
+
+# What cannot be written is said before the work; polygon tests draw scenes without triangles.
+expect 2 render data/scenes/cube-grid.json --method sf-double -o "$scratch/b.jpg" && says err 'ends in .png'
+expect 5 render data/scenes/cube-grid.json --method sf-double -o "$scratch/c.png" --stats "$scratch/none/c.json"
+[ ! -e "$scratch/c.png" ]
+expect 2 render data/scenes/paper-2a.json --method haines-double -o "$scratch/b.png" && says err 'takes no triangles, and the scene has 14'
+expect 0 render data/scenes/paper-2e.json --method haines-double -o "$scratch/b.png"

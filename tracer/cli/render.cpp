@@ -218,29 +218,49 @@ std::string describe(const Findings& f, const Options& o, std::size_t pixels) {
 
 // --- the command -------------------------------------------------------------------------------------------------
 
-/// A method whose contract has no rays would draw an empty picture.
-void require_rays(const Method& method) {
+bool refuses_rays(const Method& method) {
   const Ray ray{{0.25, 0.25, 1}, {{0, 0, -1}}};
-  if (method.ray(ray, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}).status == Status::unsupported) {
-    throw Failure(Exit::usage, method.name + " does not take rays (its contract: " + method.contract + ")");
+  return method.ray(ray, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}).status == Status::unsupported;
+}
+
+/// A method whose contract lacks rays, or triangles where the world has some, would draw an empty picture.
+void require_faces(const Method& method, const World& world) {
+  const std::size_t triangles = world.solid_of.size() - world.polygons.size();
+  if (triangles == 0 || !refuses_rays(method)) return;
+  const std::string what =
+      method.polygon ? "takes no triangles, and the scene has " + std::to_string(triangles) : "does not take rays";
+  throw Failure(Exit::usage, method.name + " " + what + " (its contract: " + method.contract + ")");
+}
+
+/// Found before the work is done, not after.
+void require_writable(const Options& o) {
+  if (o.out == "-") throw Failure(Exit::usage, "-o: expected a file name, found \"-\"");
+  const std::filesystem::path kind = std::filesystem::path(o.out).extension();
+  if (!kind.empty() && kind != ".png") {
+    throw Failure(Exit::usage, "-o: expected a name that ends in .png, found \"" + o.out + "\"");
+  }
+  if (o.stats == o.out) throw Failure(Exit::usage, "--stats: the same file as -o");
+  for (const std::string& file : {o.out, o.stats, o.pov}) {
+    if (file.empty()) continue;
+    require_different(o.scene, file);
+    const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+    if (!folder.empty() && !std::filesystem::is_directory(folder)) {
+      throw Failure(Exit::output_failed, file + ": cannot write: no folder " + folder.string());
+    }
   }
 }
 
 int run(const Options& o) {
   std::vector<Method> methods{method_named(o.method)};
   if (!o.against.empty()) methods.push_back(method_named(o.against));
-  for (const Method& m : methods) require_rays(m);
-  if (o.out == "-") throw Failure(Exit::usage, "-o: expected a file name, found \"-\"");
-  require_different(o.scene, o.out);
-  if (!o.stats.empty()) require_different(o.scene, o.stats);
-  if (!o.pov.empty()) require_different(o.scene, o.pov);
-  if (o.stats == o.out) throw Failure(Exit::usage, "--stats: the same file as -o");
+  require_writable(o);
   const Scene scene = read_scene(o.scene);
   const auto is_binary32 = [](const Method& m) { return m.format == Format::binary32; };
   const bool narrow = std::any_of(methods.begin(), methods.end(), is_binary32);
   const bool takes_polygons = std::all_of(methods.begin(), methods.end(), [](const Method& m) { return m.polygon; });
   const Faces faces = o.triangulate || !takes_polygons ? Faces::triangulated : Faces::polygons;
   const World world = make_world(scene, narrow ? Format::binary32 : Format::binary64, accel_named(o.accel), faces);
+  for (const Method& m : methods) require_faces(m, world);
   const int depth = o.depth > 0 ? o.depth : scene.depth;
 
   std::vector<Rendering> renderings;
