@@ -20,6 +20,13 @@ class FilteredPolygon {
   PolygonAnswer meet(const Segment& s) const;
   PolygonAnswer meet(const Ray& r) const;
 
+  /// Whether they meet, and no more.
+  template <class P>
+  bool hits(const P& probe) const {
+    const std::optional<bool> certain = filter_hits(probe);
+    return certain ? *certain : meet(probe).answer.hit;
+  }
+
   /// Whether the probe certainly hits or certainly misses; nothing where rounding could matter, where the probe meets
   /// the plane in a degenerate place, and where the polygon is not planar.
   template <class P>

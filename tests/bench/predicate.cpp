@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <deque>
 #include <functional>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -18,6 +17,7 @@
 #include "exact/filtered/filtered.h"
 #include "exact/kernels/rational_kernel.h"
 #include "exact/methods.h"
+#include "tests/bench/medians.h"
 #include "tests/bench/pairs.h"
 #include "tests/bench/peers.h"
 
@@ -150,46 +150,6 @@ void register_all() {
   }
 }
 
-/// Collects the repetitions of every benchmark, in nanoseconds a pair, while the console shows its own table.
-class Medians : public benchmark::ConsoleReporter {
- public:
-  Medians() : ConsoleReporter(OO_None) {}
-
-  void ReportRuns(const std::vector<Run>& runs) override {
-    for (const Run& run : runs) {
-      if (run.run_type != Run::RT_Iteration || run.error_occurred) continue;
-      const double pairs = run.counters.at("items_per_second");
-      samples_[run.run_name.function_name].push_back(1e9 / pairs);
-    }
-  }
-
-  bool has(const std::string& name) const { return samples_.count(name) > 0; }
-  double median(const std::string& name) const { return quantile(name, 0.5); }
-
-  /// ns a pair: median, quartiles, repetitions.
-  void print() const {
-    std::printf("%-34s %10s %10s %10s  %s\n", "ns a pair", "median", "lower q.", "upper q.", "repetitions");
-    for (const auto& [name, samples] : samples_) {
-      std::printf("%-34s %10.2f %10.2f %10.2f  %zu\n", name.c_str(), median(name), quantile(name, 0.25),
-                  quantile(name, 0.75), samples.size());
-    }
-  }
-
- private:
-  double quantile(const std::string& name, double q) const {
-    std::vector<double> sorted = samples_.at(name);
-    std::sort(sorted.begin(), sorted.end());
-    return sorted[static_cast<std::size_t>(q * static_cast<double>(sorted.size() - 1) + 0.5)];
-  }
-
-  std::map<std::string, std::vector<double>> samples_;
-};
-
-/// numerator / denominator, if both were measured.
-void print_ratio(const Medians& m, const std::string& name, const std::string& over, const std::string& under) {
-  if (m.has(over) && m.has(under)) std::printf("ratio %s %.3f\n", name.c_str(), m.median(over) / m.median(under));
-}
-
 void print_ratios(const Medians& m) {
   for (const char* target : {"", "_avx2", "_portable"}) {
     const std::string batch = std::string("hits_7/batch") + target;
@@ -249,7 +209,7 @@ int main(int argc, char** argv) {
   benchmark::Initialize(&count, arguments.data());
   if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 2;
   register_all();
-  Medians medians;
+  Medians medians("ns a pair");
   if (benchmark::RunSpecifiedBenchmarks(&medians) == 0) return 1;
   medians.print();
   print_share_past_the_filter();
