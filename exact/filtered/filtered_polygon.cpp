@@ -38,9 +38,9 @@ FilteredPolygon::FilteredPolygon(const Polygon& polygon) : covering_(cover(polyg
 /// The normal is the cross product of the longest arm from the first vertex with the one that gives the longest. Where
 /// it is too short to be certain on its longest axis, or out of range, it stays zero, and so do all heights.
 void FilteredPolygon::prepare_filter() {
-  base_ = lift<double>(covering_.polygon.vertices.front());
+  const Vec3<double> base = lift<double>(covering_.polygon.vertices.front());
   std::vector<Vec3<double>> arms, normals;
-  for (const Point3& v : covering_.polygon.vertices) arms.push_back(arm(base_, v));
+  for (const Point3& v : covering_.polygon.vertices) arms.push_back(arm(base, v));
   const Vec3<double> b = longest(arms);
   for (const Vec3<double>& c : arms) normals.push_back(cross(b, c));
   const Vec3<double> n = longest(normals);
@@ -51,20 +51,21 @@ void FilteredPolygon::prepare_filter() {
   const Vec3<double> normal = scaled(n, std::ilogb(normal_scale) - std::ilogb(face) - 1);
   const double m = largest_coordinate(normal);
   if (!(m > 2 * rounding)) return;
-  normal_ = normal;
+  base_ = beside(base, base);
+  normal_ = beside(normal, normal);
   const int dropped = m == magnitude(normal.x) ? 0 : m == magnitude(normal.y) ? 1 : 2;
   u_ = (dropped + 1) % 3;
   v_ = (dropped + 2) % 3;
-  flatten();
+  flatten(base);
 }
 
 /// Runs share their end vertices, so that no edge is lost between two.
-void FilteredPolygon::flatten() {
+void FilteredPolygon::flatten(const Vec3<double>& base) {
   std::vector<double> u, v;
   std::vector<bool> leads_on;
   const Polygon& polygon = covering_.polygon;
   const auto add = [&](const Point3& p, bool edge) {
-    const Vec3<double> a = arm(base_, p);
+    const Vec3<double> a = arm(base, p);
     const double along[3] = {a.x, a.y, a.z};
     u.push_back(along[u_]);
     v.push_back(along[v_]);
@@ -83,9 +84,9 @@ void FilteredPolygon::flatten() {
   flat_.insert(flat_.end(), v.begin(), v.end());
   for (std::size_t begin = 0; begin + 1 < count; begin += 63) {
     const std::size_t size = std::min<std::size_t>(64, count - begin);
-    Run run{&flat_[begin], &flat_[u.size() + begin], static_cast<std::uint32_t>((size + 1) / 2 * 2), 0};
+    Run& run = begin == 0 ? first_run_ : other_runs_.emplace_back();
+    run = {&flat_[begin], &flat_[u.size() + begin], (size + 1) / 2 * 2, 0};
     for (std::size_t i = 0; i + 1 < size; ++i) run.edges |= std::uint64_t{leads_on[begin + i]} << i;
-    runs_.push_back(run);
   }
 }
 

@@ -27,24 +27,20 @@ inline constexpr double normal_scale = 0.125;
 
 /// Source and target seen from a point of the plane; a ray's target is its direction. One lane each.
 template <class N>
-Vec3<Twin<N>> ends_from(const Vec3<N>& base, const Segment& s) {
-  return beside(lift<N>(s.p), lift<N>(s.q)) - beside(base, base);
+Vec3<Twin<N>> ends_from(const Vec3<Twin<N>>& base, const Segment& s) {
+  return beside(lift<N>(s.p), lift<N>(s.q)) - base;
 }
 
 template <class N>
-Vec3<Twin<N>> ends_from(const Vec3<N>& base, const Ray& r) {
-  return beside(lift<N>(r.o) - base, lift<N>(r.d.v));
-}
-
-template <class N>
-Twin<N> heights(const Vec3<N>& normal, const Vec3<Twin<N>>& ends) {
-  return dot(beside(normal, normal), ends);
+Vec3<Twin<N>> ends_from(const Vec3<Twin<N>>& base, const Ray& r) {
+  const Vec3<N> o{first(base.x), first(base.y), first(base.z)};
+  return beside(lift<N>(r.o) - o, lift<N>(r.d.v));
 }
 
 /// The largest coordinate of each end.
 template <class N>
 Twin<N> reach_of(const Vec3<Twin<N>>& ends) {
-  return larger_magnitude(larger_magnitude(ends.x, ends.y), ends.z);
+  return larger(larger(magnitude(ends.x), magnitude(ends.y)), magnitude(ends.z));
 }
 
 /// The point, seen from the base and projected, is point / den.

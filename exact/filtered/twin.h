@@ -48,9 +48,26 @@ unsigned negative_bits(const Twin<N>& a) {
   return (a.first < 0 ? 1U : 0U) | (a.second < 0 ? 2U : 0U);
 }
 
+/// Whether both are negative, or none. Without a branch for each.
 template <class N>
-Twin<N> smaller_magnitude(const Twin<N>& a, const Twin<N>& b) {
-  return {smaller(magnitude(a.first), magnitude(b.first)), smaller(magnitude(a.second), magnitude(b.second))};
+bool same_sign(const Twin<N>& a) {
+  const unsigned bits = negative_bits(a);
+  return ((bits ^ bits >> 1) & 1U) == 0;
+}
+
+template <class N>
+Twin<N> magnitude(const Twin<N>& a) {
+  return {magnitude(a.first), magnitude(a.second)};
+}
+
+template <class N>
+Twin<N> larger(const Twin<N>& a, const Twin<N>& b) {
+  return {larger(a.first, b.first), larger(a.second, b.second)};
+}
+
+template <class N>
+Twin<N> smaller(const Twin<N>& a, const Twin<N>& b) {
+  return {smaller(a.first, b.first), smaller(a.second, b.second)};
 }
 
 template <class N>
@@ -82,10 +99,9 @@ struct Twin<double> {
     const Lanes x = magnitude(a.lanes), y = magnitude(b.lanes);
     return Twin(x > y ? x : y);
   }
-  friend Twin smaller_magnitude(const Twin& a, const Twin& b) {
-    const Lanes x = magnitude(a.lanes), y = magnitude(b.lanes);
-    return Twin(x < y ? x : y);
-  }
+  friend Twin magnitude(const Twin& a) { return Twin(magnitude(a.lanes)); }
+  friend Twin larger(const Twin& a, const Twin& b) { return Twin(a.lanes > b.lanes ? a.lanes : b.lanes); }
+  friend Twin smaller(const Twin& a, const Twin& b) { return Twin(a.lanes < b.lanes ? a.lanes : b.lanes); }
   friend bool both_beyond(const Twin& a, const Twin& bound) {
     return sign_bits(reinterpret_cast<Lanes>(magnitude(a.lanes) > bound.lanes)) == 3;
   }
@@ -111,6 +127,11 @@ struct Twin<double> {
 };
 
 #endif
+
+template <class N>
+Twin<N> twice(const N& a) {
+  return {a, a};
+}
 
 template <class N>
 Vec3<Twin<N>> beside(const Vec3<N>& a, const Vec3<N>& b) {

@@ -137,7 +137,10 @@ class Contender {
   /// An exact method that disagrees with the integers of the frame makes all times worthless.
   void judge(Verdicts& verdicts) const {
     std::size_t wrong = 0;
-    for (std::size_t i = 0; i < probes_; ++i) wrong += meets(i) != population_.probes[i].hit;
+    for (std::size_t i = 0; i < probes_; ++i) {
+      const PolygonProbe& probe = population_.probes[i];
+      wrong += M::meets(prepared_[probe.polygon], probe.segment) != probe.hit;
+    }
     verdicts.add(M::name, probes_, wrong);
     if (!M::exact || wrong == 0) return;
     std::fprintf(stderr, "%s: %zu answers wrong\n", name().c_str(), wrong);
@@ -145,20 +148,19 @@ class Contender {
   }
 
   void time(benchmark::State& state) const {
+    const auto* const polygons = prepared_.data();
+    const PolygonProbe *const begin = population_.probes.data(), *const end = begin + probes_;
     for (auto _ : state) {
       std::size_t count = 0;
-      for (std::size_t i = 0; i < probes_; ++i) count += meets(i);
+      for (const PolygonProbe* probe = begin; probe != end; ++probe) {
+        count += M::meets(polygons[probe->polygon], probe->segment);
+      }
       benchmark::DoNotOptimize(count);
     }
     state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * probes_));
   }
 
  private:
-  bool meets(std::size_t i) const {
-    const PolygonProbe& probe = population_.probes[i];
-    return M::meets(prepared_[probe.polygon], probe.segment);
-  }
-
   const Population& population_;
   std::size_t probes_;
   std::vector<typename M::Prepared> prepared_;
