@@ -18,6 +18,8 @@ namespace tribunal {
 class FilteredPolygon {
  public:
   explicit FilteredPolygon(const Polygon& polygon);
+  FilteredPolygon(FilteredPolygon&&) = default;
+  FilteredPolygon& operator=(FilteredPolygon&&) = default;
 
   PolygonAnswer meet(const Segment& s) const;
   PolygonAnswer meet(const Ray& r) const;
