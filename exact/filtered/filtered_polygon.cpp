@@ -99,6 +99,7 @@ PolygonAnswer FilteredPolygon::decide(const P& probe) const {
 
 template <class P>
 PolygonAnswer FilteredPolygon::decide_exactly(const P& probe) const {
+  if (!is_finite(probe)) return {.answer = refusal(Status::nonfinite), .planar = covering_.planar};
   if (covering_.is_triangle()) return {intersect(probe, covering_.triangle()), true};
   Tally tally;
   PolygonAnswer answer = segura_feito(probe, covering_, FilteredKernel(&tally));

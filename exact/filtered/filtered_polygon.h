@@ -14,7 +14,8 @@ namespace tribunal {
 
 /// A polygon prepared for many probes. Views the polygon, which must outlive it and be finite.
 ///
-/// Law: the answer is that of the covering test on exact numbers, always. Stage::filter: doubles told.
+/// Law: the answer is that of the covering test on exact numbers, always, whatever the rounding mode of the thread.
+/// Stage::filter: doubles told. A NaN or an infinity in the probe is nowhere.
 class FilteredPolygon {
  public:
   explicit FilteredPolygon(const Polygon& polygon);

@@ -184,7 +184,8 @@ struct Judged {
 
 /// Certain signs of heights, of vertices and of edges, with bounds too small by a divisor.
 Judged judge_figures(double divisor, int count) {
-  const double u = std::ldexp(1.25, -bits) / divisor;  // a quarter for the terms of higher order
+  // A unit of the small format, and a quarter for the terms of higher order.
+  const auto in_units = [=](double bound) { return bound / rounding * std::ldexp(1.25, -bits) / divisor; };
   Figures draw;
   Judged judged;
   const auto add = [](Outcome& o, const Small& x, double bound, long double exact) {
@@ -199,11 +200,11 @@ Judged judge_figures(double divisor, int count) {
     const double w = reach(toy.p - toy.o), z = reach(toy.q - toy.o),
                  extent = std::max(reach(toy.f - toy.o), reach(toy.g - toy.o)),
                  range = crossing_range<Segment>(Twin<double>{w, z}, extent);
-    add(judged.heights, first(small.heights), 6 * u * w, first(exact.heights));
-    add(judged.heights, second(small.heights), 6 * u * z, second(exact.heights));
+    add(judged.heights, first(small.heights), in_units(crossing_bounds.height) * w, first(exact.heights));
+    add(judged.heights, second(small.heights), in_units(crossing_bounds.height) * z, second(exact.heights));
     if (sign_of(first(exact.heights)) * sign_of(second(exact.heights)) != Sign::negative) continue;
-    add(judged.vertices, small.ahead(), 18 * u * range, exact.ahead());
-    add(judged.edges, small.side(), 97 * u * range * extent, exact.side());
+    add(judged.vertices, small.ahead(), in_units(crossing_bounds.vertex) * range, exact.ahead());
+    add(judged.edges, small.side(), in_units(crossing_bounds.edge) * range * extent, exact.side());
   }
   return judged;
 }
