@@ -1,42 +1,106 @@
 #include "exact/filtered/filtered_polygon.h"
 
+#include <cmath>
+
 #include "exact/filtered/filtered.h"
 #include "exact/filtered/filtered_kernel.h"
 
 namespace tribunal {
 namespace {
 
-/// The axis on which the normal is shortest.
-int flattest_axis(const Vec3<double>& n) {
-  const double x = magnitude(n.x), y = magnitude(n.y), z = magnitude(n.z);
-  return x <= y && x <= z ? 0 : y <= z ? 1 : 2;
+double largest_coordinate(const Vec3<double>& v) { return larger(larger_magnitude(v.x, v.y), magnitude(v.z)); }
+
+/// The longest of the vectors.
+Vec3<double> longest(const std::vector<Vec3<double>>& vectors) {
+  Vec3<double> best{0, 0, 0};
+  for (const Vec3<double>& v : vectors) {
+    if (dot(v, v) > dot(best, best)) best = v;
+  }
+  return best;
 }
+
+/// The largest product of the magnitudes on two axes.
+double largest_face(const Vec3<double>& m) { return larger(larger(m.x * m.y, m.y * m.z), m.z * m.x); }
+
+Vec3<double> scaled(const Vec3<double>& v, int exponent) {
+  return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
+}
+
+/// Arms within this range neither overflow nor underflow to any harm when multiplied: docs/error-bounds.md.
+constexpr double largest_arm = 0x1p150, smallest_face = 0x1p-200;
 
 }  // namespace
 
 FilteredPolygon::FilteredPolygon(const Polygon& polygon) : covering_(cover(polygon, FilteredKernel())) {
-  if (!covering_.plane) return;
-  const Triangle& t = covering_.plane->triangle;
-  base_ = lift<double>(t.a);
-  const Vec3<double> b = arm<double>(base_, t.b), c = arm<double>(base_, t.c);
-  normal_ = cross(b, c);
-  reach_ = largest(b, c);
-  along_ = flattest_axis(normal_);
-  i_ = (along_ + 1) % 3;
-  j_ = (along_ + 2) % 3;
-  lowest_ = highest_ = base_;
-  for (const Point3& v : polygon.vertices) {
-    lowest_ = {smaller(v.x, lowest_.x), smaller(v.y, lowest_.y), smaller(v.z, lowest_.z)};
-    highest_ = {larger(v.x, highest_.x), larger(v.y, highest_.y), larger(v.z, highest_.z)};
-    flat_.push_back({v[i_], v[j_]});
+  if (covering_.plane) prepare_filter();
+}
+
+/// The normal is the cross product of the longest arm from the first vertex with the one that gives the longest. Where
+/// it is too short to be certain on its longest axis, or out of range, it stays zero, and so do all heights.
+void FilteredPolygon::prepare_filter() {
+  const Vec3<double> base = lift<double>(covering_.polygon.vertices.front());
+  std::vector<Vec3<double>> arms, normals;
+  for (const Point3& v : covering_.polygon.vertices) arms.push_back(arm(base, v));
+  const Vec3<double> b = longest(arms);
+  for (const Vec3<double>& c : arms) normals.push_back(cross(b, c));
+  const Vec3<double> n = longest(normals);
+  Vec3<double> reach{0, 0, 0};
+  for (const Vec3<double>& c : arms) reach = largest(reach, c);
+  const double face = largest_face(reach);
+  if (!(largest_coordinate(reach) < largest_arm) || !(face > smallest_face)) return;
+  const Vec3<double> normal = scaled(n, std::ilogb(normal_scale) - std::ilogb(face) - 1);
+  const double m = largest_coordinate(normal);
+  if (!(m > 2 * rounding)) return;
+  base_ = beside(base, base);
+  normal_ = beside(normal, normal);
+  const int dropped = m == magnitude(normal.x) ? 0 : m == magnitude(normal.y) ? 1 : 2;
+  u_ = (dropped + 1) % 3;
+  v_ = (dropped + 2) % 3;
+  flatten(base);
+}
+
+/// Runs share their end vertices, so that no edge is lost between two.
+void FilteredPolygon::flatten(const Vec3<double>& base) {
+  std::vector<double> u, v;
+  std::vector<bool> leads_on;
+  const Polygon& polygon = covering_.polygon;
+  const auto add = [&](const Point3& p, bool edge) {
+    const Vec3<double> a = arm(base, p);
+    const double along[3] = {a.x, a.y, a.z};
+    u.push_back(along[u_]);
+    v.push_back(along[v_]);
+    leads_on.push_back(edge);
+    extent_ = larger(larger_magnitude(u.back(), v.back()), extent_);
+  };
+  for (std::size_t r = 0; r < polygon.rings(); ++r) {
+    const Ring ring = polygon.ring(r);
+    if (ring.empty()) continue;
+    for (const Point3& p : ring) add(p, true);
+    add(ring.front(), false);
+  }
+  const std::size_t count = u.size();
+  add(polygon.vertices.back(), false);
+  flat_ = u;
+  flat_.insert(flat_.end(), v.begin(), v.end());
+  for (std::size_t begin = 0; begin + 1 < count; begin += 63) {
+    const std::size_t size = std::min<std::size_t>(64, count - begin);
+    Run& run = begin == 0 ? first_run_ : other_runs_.emplace_back();
+    run = {&flat_[begin], &flat_[u.size() + begin], (size + 1) / 2 * 2, 0};
+    for (std::size_t i = 0; i + 1 < size; ++i) run.edges |= std::uint64_t{leads_on[begin + i]} << i;
   }
 }
 
 /// A certain hit is in general position: inside, between the ends.
 template <class P>
 PolygonAnswer FilteredPolygon::decide(const P& probe) const {
-  if (covering_.is_triangle()) return {intersect(probe, covering_.triangle()), true};
   if (const std::optional<bool> hit = filter_hits(probe)) return {certain(*hit), true};
+  return decide_exactly(probe);
+}
+
+template <class P>
+PolygonAnswer FilteredPolygon::decide_exactly(const P& probe) const {
+  if (!is_finite(probe)) return {.answer = refusal(Status::nonfinite), .planar = covering_.planar};
+  if (covering_.is_triangle()) return {intersect(probe, covering_.triangle()), true};
   Tally tally;
   PolygonAnswer answer = segura_feito(probe, covering_, FilteredKernel(&tally));
   answer.answer.stage = tally.deepest();
@@ -46,5 +110,9 @@ PolygonAnswer FilteredPolygon::decide(const P& probe) const {
 PolygonAnswer FilteredPolygon::meet(const Segment& s) const { return decide(s); }
 
 PolygonAnswer FilteredPolygon::meet(const Ray& r) const { return decide(r); }
+
+bool FilteredPolygon::hits_exactly(const Segment& s) const { return decide_exactly(s).answer.hit; }
+
+bool FilteredPolygon::hits_exactly(const Ray& r) const { return decide_exactly(r).answer.hit; }
 
 }  // namespace tribunal

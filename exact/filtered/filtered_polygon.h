@@ -1,111 +1,135 @@
-// The certified polygon test: doubles decide where they are certain, whole coverings at once; else sign by sign.
+// The certified polygon test: doubles decide where they are certain, whole polygons at once; else sign by sign.
 #pragma once
 
+#include <bit>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "core/polygon.h"
 #include "core/segura_feito_polygon.h"
-#include "exact/filtered/shared_volumes.h"
+#include "exact/filtered/plane_crossing.h"
 
 namespace tribunal {
 
 /// A polygon prepared for many probes. Views the polygon, which must outlive it and be finite.
 ///
-/// Law: the answer is that of the covering test on exact numbers, always. Stage::filter: doubles told.
+/// Law: the answer is that of the covering test on exact numbers, always, whatever the rounding mode of the thread.
+/// Stage::filter: doubles told. A NaN or an infinity in the probe is nowhere.
 class FilteredPolygon {
  public:
   explicit FilteredPolygon(const Polygon& polygon);
+  FilteredPolygon(FilteredPolygon&&) = default;
+  FilteredPolygon& operator=(FilteredPolygon&&) = default;
 
   PolygonAnswer meet(const Segment& s) const;
   PolygonAnswer meet(const Ray& r) const;
 
+  /// Whether they meet, and no more. Some 10 ns where doubles tell.
+  template <class P>
+  bool hits(const P& probe) const {
+    return filtered<bool>(probe, [&] { return hits_exactly(probe); });
+  }
+
   /// Whether the probe certainly hits or certainly misses; nothing where rounding could matter, where the probe meets
   /// the plane in a degenerate place, and where the polygon is not planar.
   template <class P>
-  std::optional<bool> filter_hits(const P& probe) const;
+  std::optional<bool> filter_hits(const P& probe) const {
+    return filtered<std::optional<bool>>(probe, [] { return std::nullopt; });
+  }
 
  private:
+  /// Up to 64 vertices in a row; bit i of `edges` is set if a ring edge leads from vertex i to the next.
+  struct Run {
+    const double *u = nullptr, *v = nullptr;
+    std::size_t size = 0;  ///< even
+    std::uint64_t edges = 0;
+  };
+
+  struct Parity {
+    bool certain, odd;
+
+    Parity& operator+=(const Parity& more) {
+      certain &= more.certain;
+      odd ^= more.odd;
+      return *this;
+    }
+  };
+
+  inline static const Vec3<Twin<double>> nowhere{{0, 0}, {0, 0}, {0, 0}};
+
+  void prepare_filter();
+  void flatten(const Vec3<double>& base);
+  bool hits_exactly(const Segment& s) const;
+  bool hits_exactly(const Ray& r) const;
+  template <class Told, class P, class Otherwise>
+  Told filtered(const P& probe, const Otherwise& otherwise) const;
   template <class P>
   PolygonAnswer decide(const P& probe) const;
   template <class P>
-  std::optional<bool> certain_parity(const P& probe, const Vec3<double>& p, const Vec3<double>& d) const;
+  PolygonAnswer decide_exactly(const P& probe) const;
+  template <class P>
+  std::optional<bool> certain_parity(Twin<double> x, Twin<double> y, Twin<double> z, Twin<double> heights,
+                                     Twin<double> reach) const;
+  Parity run_parity(const Run& run, const PlaneCrossing<double>& x, double range) const;
 
+  Vec3<Twin<double>> base_ = nowhere, normal_ = nowhere;  ///< a vertex, and the plane's normal, scaled, or zero
+  double extent_ = 0;                                     ///< the largest coordinate of the projected vertices
+  int u_ = 0, v_ = 1;                                     ///< the axes on which the polygon is projected
+  Run first_run_{};              ///< the rings, closed, one after the other, as seen from the base
+  std::vector<Run> other_runs_;  ///< what is beyond 64 vertices
+  std::vector<double> flat_;     ///< what the runs point to
   Covering covering_;
-  Vec3<double> lowest_{}, highest_{};  ///< on each axis, of all vertices
-  Vec3<double> base_{}, normal_{};     ///< a vertex, and (b−a) × (c−a) of the plane's triangle as it rounds
-  Vec3<double> reach_{};               ///< the largest magnitude on each axis of b−a and c−a
-  int along_ = 2, i_ = 0, j_ = 1;      ///< the axis that runs most nearly in the plane, and the other two
-  std::vector<Vec2<double>> flat_;     ///< the vertices without it
 };
 
-namespace filtered_polygon_detail {
-
-/// From source to target.
-inline Vec3<double> lead(const Segment& s) { return lift<double>(s.q) - lift<double>(s.p); }
-inline Vec3<double> lead(const Ray& r) { return lift<double>(r.d.v); }
-
-inline double at(const Vec3<double>& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
-
-}  // namespace filtered_polygon_detail
-
-/// The plane first: both ends certainly on one side miss. Then the line, if they are certainly on two.
-/// Bound: an arm times a normal of two arms is one determinant of rounded differences (filter_bounds.h).
-template <class P>
-std::optional<bool> FilteredPolygon::filter_hits(const P& probe) const {
-  namespace detail = filtered_polygon_detail;
-  if (!covering_.plane) return std::nullopt;
-  const Vec3<double> p = lift<double>(source(probe));
-  const Vec3<Twin<double>> arms = beside(p - base_, arm<double>(base_, target(probe)));
-  const Vec3<Twin<double>> r = beside(reach_, reach_), n = beside(normal_, normal_);
-  const Vec3<Twin<double>> both{larger_magnitude(r.x, arms.x), larger_magnitude(r.y, arms.y),
-                                larger_magnitude(r.z, arms.z)};
-  const Vec3<double> m{larger(first(both.x), second(both.x)), larger(first(both.y), second(both.y)),
-                       larger(first(both.z), second(both.z))};
-  const double bound = volume_bound(m, volume_filter);
-  const Twin<double> heights = dot(n, arms);
-  const double s = first(heights), t = second(heights);
-  const bool certain = (magnitude(s) > bound) & (magnitude(t) > bound) & in_range(m, volume_filter);
-  if (!certain) return std::nullopt;
-  if ((s > 0) == (t > 0)) return false;
-  return certain_parity(probe, p, detail::lead(probe));
+/// The plane first: both ends certainly on one side miss. Then the point, if they are certainly on two.
+template <class Told, class P, class Otherwise>
+[[gnu::always_inline]] inline Told FilteredPolygon::filtered(const P& probe, const Otherwise& otherwise) const {
+  const Vec3<Twin<double>> ends = ends_from(base_, probe);
+  const Twin<double> reach = reach_of(ends), h = dot(normal_, ends);
+  const Twin<double> bound = reach * twice(crossing_bounds.height) + twice(crossing_bounds.tiny);
+  if (!both_beyond(h, bound)) return otherwise();
+  if (same_sign(h)) return false;
+  if (const std::optional<bool> odd = certain_parity<P>(ends.x, ends.y, ends.z, h, reach)) return *odd;
+  return otherwise();
 }
 
-/// The parity of the edges that a half-plane bounded by the probe's line crosses, if certain. The half-plane runs along
-/// an axis; an edge crosses its plane iff that axis sees its ends on two sides of the line, and then the volume of edge
-/// and line tells on which half. Certain only in general position: no vertex in the plane, no edge through the line.
-/// There the parity is that of the covering's sum (docs/polygons.md).
+/// The parity of the edges that are crossed from the point where the probe meets the plane along the first axis, if
+/// certain. Certain only in general position: no vertex at the height of the point, no edge through it. There the
+/// parity is that of the covering's sum (docs/polygons.md).
 template <class P>
-std::optional<bool> FilteredPolygon::certain_parity(const P&, const Vec3<double>& p, const Vec3<double>& d) const {
-  namespace detail = filtered_polygon_detail;
-  const Vec3<double> m = largest(d, lowest_ - p, highest_ - p);
-  if (!in_range(m, volume_filter)) return std::nullopt;
-  const double p_u = detail::at(p, i_), p_v = detail::at(p, j_), d_u = detail::at(d, i_), d_v = detail::at(d, j_);
-  const double volume = volume_bound(m, volume_filter);
-  const auto side = [&](const Vec2<double>& v) { return (v.u - p_u) * d_v - (v.v - p_v) * d_u; };
-  double least = area_filter.huge;
-  bool inside = false;
-  std::size_t begin = 0;
-  for (const std::size_t end : covering_.polygon.ends) {
-    std::size_t a = end - 1;
-    double side_a = side(flat_[a]);
-    for (std::size_t b = begin; b < end; ++b) {
-      const double side_b = side(flat_[b]);
-      least = smaller(magnitude(side_b), least);
-      if ((side_a > 0) != (side_b > 0)) {
-        const auto& v = covering_.polygon.vertices;
-        const double edge = det3(lift<double>(v[a]) - p, lift<double>(v[b]) - p, d);
-        if (!(magnitude(edge) > volume)) return std::nullopt;
-        inside ^= (edge > 0) == (side_b > 0);
-      }
-      a = b;
-      side_a = side_b;
-    }
-    begin = end;
+[[gnu::noinline]] std::optional<bool> FilteredPolygon::certain_parity(Twin<double> x, Twin<double> y, Twin<double> z,
+                                                                      Twin<double> heights, Twin<double> reach) const {
+  const double range = crossing_range<P>(reach, extent_);
+  if (!(range < crossing_bounds.huge)) return std::nullopt;
+  const Twin<double> along[3] = {x, y, z};
+  const PlaneCrossing<double> at = plane_crossing<P>(heights, Vec2<Twin<double>>{along[u_], along[v_]});
+  Parity parity = run_parity(first_run_, at, range);
+  for (const Run& run : other_runs_) parity += run_parity(run, at, range);
+  if (!parity.certain) return std::nullopt;
+  return parity.odd;
+}
+
+inline FilteredPolygon::Parity FilteredPolygon::run_parity(const Run& run, const PlaneCrossing<double>& x,
+                                                           double range) const {
+  const Twin<double> den = twice(x.den), point = twice(x.point.v);
+  Twin<double> least = twice(crossing_bounds.huge);
+  std::uint64_t below = 0;
+  for (std::size_t i = run.size; i > 0;) {
+    i -= 2;
+    const Twin<double> ahead = Twin<double>{run.v[i], run.v[i + 1]} * den - point;
+    below = below << 2 | negative_bits(ahead);
+    least = smaller(magnitude(ahead), least);
   }
-  const double area = area_filter.k * detail::at(m, i_) * detail::at(m, j_) + area_filter.tiny;
-  if (!(least > area)) return std::nullopt;
-  return inside;
+  const double vertex = crossing_bounds.vertex * range + crossing_bounds.tiny;
+  const double edge = crossing_bounds.edge * range * extent_ + crossing_bounds.tiny;
+  Parity parity{both_beyond(least, twice(vertex)), false};
+  for (std::uint64_t crossed = (below ^ below >> 1) & run.edges; crossed != 0; crossed &= crossed - 1) {
+    const auto i = static_cast<std::size_t>(std::countr_zero(crossed));
+    const double side = edge_side(x, {run.u[i], run.v[i]}, {run.u[i + 1], run.v[i + 1]});
+    parity += {magnitude(side) > edge, (side > 0) == ((below >> i & 1) != 0)};
+  }
+  return parity;
 }
 
 }  // namespace tribunal

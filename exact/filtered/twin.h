@@ -36,6 +36,40 @@ Twin<N> larger_magnitude(const Twin<N>& a, const Twin<N>& b) {
   return {larger_magnitude(a.first, b.first), larger_magnitude(a.second, b.second)};
 }
 
+/// Whether both |a| exceed their bounds. No: for NaN.
+template <class N>
+bool both_beyond(const Twin<N>& a, const Twin<N>& bound) {
+  return magnitude(a.first) > bound.first && magnitude(a.second) > bound.second;
+}
+
+/// Bits 0 and 1: whether each is negative.
+template <class N>
+unsigned negative_bits(const Twin<N>& a) {
+  return (a.first < 0 ? 1U : 0U) | (a.second < 0 ? 2U : 0U);
+}
+
+/// Whether both are negative, or none. Without a branch for each.
+template <class N>
+bool same_sign(const Twin<N>& a) {
+  const unsigned bits = negative_bits(a);
+  return ((bits ^ bits >> 1) & 1U) == 0;
+}
+
+template <class N>
+Twin<N> magnitude(const Twin<N>& a) {
+  return {magnitude(a.first), magnitude(a.second)};
+}
+
+template <class N>
+Twin<N> larger(const Twin<N>& a, const Twin<N>& b) {
+  return {larger(a.first, b.first), larger(a.second, b.second)};
+}
+
+template <class N>
+Twin<N> smaller(const Twin<N>& a, const Twin<N>& b) {
+  return {smaller(a.first, b.first), smaller(a.second, b.second)};
+}
+
 template <class N>
 N first(const Twin<N>& a) {
   return a.first;
@@ -65,6 +99,13 @@ struct Twin<double> {
     const Lanes x = magnitude(a.lanes), y = magnitude(b.lanes);
     return Twin(x > y ? x : y);
   }
+  friend Twin magnitude(const Twin& a) { return Twin(magnitude(a.lanes)); }
+  friend Twin larger(const Twin& a, const Twin& b) { return Twin(a.lanes > b.lanes ? a.lanes : b.lanes); }
+  friend Twin smaller(const Twin& a, const Twin& b) { return Twin(a.lanes < b.lanes ? a.lanes : b.lanes); }
+  friend bool both_beyond(const Twin& a, const Twin& bound) {
+    return sign_bits(reinterpret_cast<Lanes>(magnitude(a.lanes) > bound.lanes)) == 3;
+  }
+  friend unsigned negative_bits(const Twin& a) { return sign_bits(a.lanes); }
   friend double first(const Twin& a) { return a.lanes[0]; }
   friend double second(const Twin& a) { return a.lanes[1]; }
 
@@ -73,11 +114,24 @@ struct Twin<double> {
     constexpr Bits all_but_sign = {INT64_MAX, INT64_MAX};
     return reinterpret_cast<Lanes>(reinterpret_cast<Bits>(x) & all_but_sign);
   }
+  static unsigned sign_bits(Lanes x) {
+#if defined(__SSE2__)
+    return static_cast<unsigned>(__builtin_ia32_movmskpd(x));
+#else
+    const Bits bits = reinterpret_cast<Bits>(x);
+    return (bits[0] < 0 ? 1U : 0U) | (bits[1] < 0 ? 2U : 0U);
+#endif
+  }
 
   Lanes lanes;
 };
 
 #endif
+
+template <class N>
+Twin<N> twice(const N& a) {
+  return {a, a};
+}
 
 template <class N>
 Vec3<Twin<N>> beside(const Vec3<N>& a, const Vec3<N>& b) {

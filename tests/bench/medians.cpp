@@ -4,15 +4,6 @@
 #include <cstdio>
 
 namespace tribunal::bench {
-namespace {
-
-double quantile_of(std::vector<double> samples, double q) {
-  std::sort(samples.begin(), samples.end());
-  return samples[static_cast<std::size_t>(q * static_cast<double>(samples.size() - 1) + 0.5)];
-}
-
-}  // namespace
-
 void Medians::ReportRuns(const std::vector<Run>& runs) {
   for (const Run& run : runs) {
     if (run.run_type != Run::RT_Iteration || run.error_occurred) continue;
@@ -21,7 +12,11 @@ void Medians::ReportRuns(const std::vector<Run>& runs) {
   }
 }
 
-double Medians::quantile(const std::string& name, double q) const { return quantile_of(samples_.at(name), q); }
+double Medians::quantile(const std::string& name, double q) const {
+  std::vector<double> sorted = samples_.at(name);
+  std::sort(sorted.begin(), sorted.end());
+  return sorted[static_cast<std::size_t>(q * static_cast<double>(sorted.size() - 1) + 0.5)];
+}
 
 void Medians::print(const char* item) const {
   std::printf("%-38s %10s %10s %10s  %s\n", item, "median", "lower q.", "upper q.", "repetitions");
@@ -33,11 +28,8 @@ void Medians::print(const char* item) const {
 
 void Medians::print_ratio(const std::string& name, const std::string& over, const std::string& under) const {
   if (!has(over) || !has(under)) return;
-  const std::vector<double>&a = samples_.at(over), &b = samples_.at(under);
-  std::vector<double> quotients;
-  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) quotients.push_back(a[i] / b[i]);
-  std::printf("ratio %s %.3f [%.3f, %.3f]\n", name.c_str(), median(over) / median(under), quantile_of(quotients, 0.25),
-              quantile_of(quotients, 0.75));
+  std::printf("ratio %s %.3f [%.3f, %.3f]\n", name.c_str(), median(over) / median(under),
+              quantile(over, 0.25) / quantile(under, 0.75), quantile(over, 0.75) / quantile(under, 0.25));
 }
 
 int run_interleaved(int argc, char** argv, int repetitions, Medians& medians) {

@@ -27,8 +27,7 @@ class Medians : public benchmark::ConsoleReporter {
   /// Median, quartiles and number of repetitions of each benchmark; `item` says what one item is.
   void print(const char* item) const;
 
-  /// `ratio NAME VALUE`, the quotient of two medians, if both were measured. In brackets the quotients of like
-  /// repetitions: their quartiles.
+  /// `ratio NAME VALUE [LOW, HIGH]`, if both were measured: the quotient of two medians, and of opposite quartiles.
   void print_ratio(const std::string& name, const std::string& over, const std::string& under) const;
 
  private:

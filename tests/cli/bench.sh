@@ -5,7 +5,7 @@ cd "$scratch"
 
 status=0
 "$SOURCE_DIR/run" bench nothing 2>err || status=$?
-[ $status -eq 2 ] && says err 'there are: '
+[ $status -eq 2 ] && says err 'there are: polygon predicate tracer'
 
 /usr/bin/python3 - <<'PY'
 import json

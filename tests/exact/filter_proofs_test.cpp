@@ -3,33 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdio>
-#include <map>
-#include <memory>
-#include <regex>
-#include <string>
 
 #include "exact/filtered/filter.h"
 #include "exact/filtered/filtered.h"
+#include "tests/exact/proofs.h"
 
 namespace tribunal {
 namespace {
-
-/// What Gappa proves: the upper end of each interval that a script asks for.
-std::map<std::string, double> proved_by(const std::string& script) {
-  const std::string command = "gappa exact/filtered/proofs/" + script + " 2>&1";
-  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
-  std::string output;
-  char buffer[4096];
-  for (std::size_t n; pipe && (n = fread(buffer, 1, sizeof buffer, pipe.get())) > 0;) output.append(buffer, n);
-  std::map<std::string, double> proved;
-  const std::regex line(R"(\n  (.+) in \[.*, (\d+)b(-?\d+) \{)");
-  for (std::sregex_iterator i(output.begin(), output.end(), line), end; i != end; ++i) {
-    proved[(*i)[1]] = std::ldexp(std::stod((*i)[2]), std::stoi((*i)[3]));
-  }
-  EXPECT_FALSE(proved.empty()) << command << " said: " << output;
-  return proved;
-}
 
 /// Proved, and left room for: the bound itself is rounded up to seven times.
 void expect_covers(const FilterConstants<double>& filter, double proved, double units) {
@@ -74,30 +54,6 @@ TEST(FilterProofs, GappaProvesTheRangeGuards) {
   EXPECT_EQ(order_filter.huge, 0x1p100);
 }
 
-/// A number that knows how large it may be and how far it may be off, where every coordinate difference is at most 1 in
-/// magnitude once rounded, and every operation is exact up to a factor 1 + δ, |δ| ≤ 2⁻⁵². Run through the shipped
-/// formulas it derives their constants.
-struct Tracked {
-  double magnitude = 0, error = 0;
-  bool is_coordinate = false;
-
-  Tracked() = default;
-  Tracked(double m, double e) : magnitude(m), error(e) {}
-  explicit Tracked(double) : is_coordinate(true) {}
-
-  static Tracked rounded(double m, double e) { return {m, e + m * rounding}; }
-
-  friend Tracked operator-(const Tracked& a, const Tracked& b) {
-    return a.is_coordinate && b.is_coordinate ? Tracked(1, rounding) : a + b;
-  }
-  friend Tracked operator+(const Tracked& a, const Tracked& b) {
-    return rounded(a.magnitude + b.magnitude, a.error + b.error);
-  }
-  friend Tracked operator*(const Tracked& a, const Tracked& b) {
-    return rounded(a.magnitude * b.magnitude, a.magnitude * b.error + b.magnitude * a.error + a.error * b.error);
-  }
-};
-
 void expect_units(const Tracked& x, double units) { EXPECT_NEAR(x.error / rounding, units, units * 1e-9); }
 
 TEST(FilterProofs, TheTrackedErrorOfTheSourceLinesIsTheProvedOne) {
@@ -112,30 +68,6 @@ TEST(FilterProofs, TheTrackedErrorOfTheSourceLinesIsTheProvedOne) {
   expect_units(volume * volume - volume * volume, 1248);
 }
 
-/// A floating-point format with few bits of significand and any exponent: results are rounded to nearest.
-template <int bits>
-struct Toy {
-  double x = 0;
-
-  Toy() = default;
-  explicit Toy(double exact) : x(round(exact)) {}
-
-  /// Veltkamp's splitting: the leading bits of the sum x·(2^k + 1) − x·2^k.
-  static double round(double exact) {
-    constexpr double factor = static_cast<double>((std::int64_t{1} << (53 - bits)) + 1);
-    const double scaled = exact * factor;
-    return scaled - (scaled - exact);
-  }
-
-  friend Toy operator-(const Toy& a, const Toy& b) { return Toy(a.x - b.x); }
-  friend Toy operator+(const Toy& a, const Toy& b) { return Toy(a.x + b.x); }
-  friend Toy operator*(const Toy& a, const Toy& b) { return Toy(a.x * b.x); }
-  friend Toy operator-(const Toy& a) { return Toy(-a.x); }
-  friend bool operator<(const Toy& a, const Toy& b) { return a.x < b.x; }
-  friend bool operator>(const Toy& a, const Toy& b) { return a.x > b.x; }
-  friend bool operator<(const Toy& a, double b) { return a.x < b; }
-};
-
 /// The filter's constants where one operation is off by at most 2^-bits: the units that Gappa proves, the terms of
 /// higher order bounded by (1 + u)^n, over a divisor that makes them too small.
 template <int bits>
@@ -147,15 +79,6 @@ FilterConstants<Toy<bits>> toy_filter(double units, double magnitude, int depth,
   c.huge.x = 1e9;
   return c;
 }
-
-struct Outcome {
-  std::uint64_t certain = 0, undecided = 0, wrong = 0;
-
-  void add(const std::optional<Sign>& sign, double exact) {
-    sign ? ++certain : ++undecided;
-    wrong += sign && *sign != sign_of(exact);
-  }
-};
 
 /// Every float of `bits` bits in three binades, with zero and both signs.
 std::vector<double> toy_floats(int bits) {

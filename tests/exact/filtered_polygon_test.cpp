@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
 #include <map>
 
 #include "exact/kernels/rational_kernel.h"
@@ -50,6 +52,74 @@ TEST(FilteredPolygon, GeneralPositionIsTheFilters) {
   EXPECT_EQ(filtered.filter_hits(Segment{{12.125, 3.25, 9}, {12.25, 3.5, -9}}), false);
   EXPECT_EQ(filtered.filter_hits(Segment{{9, 0, 9}, {9, 0, -9}}), std::nullopt) << "at a vertex";
 }
+
+/// Nowhere.
+TEST(FilteredPolygon, NonfiniteProbesMeetNothing) {
+  const PolygonData polygon = PolygonData{}.add(std::vector<Point3>{{0, 0, 1}, {9, 0, 2}, {9, 9, 5}, {0, 9, 4}});
+  const FilteredPolygon filtered(polygon);
+  for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      Segment s{{2.125, 3.25, 9}, {2.25, 3.5, -9}};
+      s.q[axis] = bad;
+      EXPECT_EQ(filtered.filter_hits(s), std::nullopt);
+      EXPECT_EQ(filtered.filter_hits(Ray{s.p, {s.q}}), std::nullopt);
+      EXPECT_FALSE(filtered.hits(s));
+      EXPECT_FALSE(filtered.hits(Ray{s.q, {s.p}}));
+      EXPECT_EQ(filtered.meet(s).answer.status, Status::nonfinite);
+    }
+  }
+}
+
+/// Sizes on both sides of what overflows and underflows: the filter decides in between, and is right everywhere.
+TEST(FilteredPolygon, ScaleWalksFromUnderflowToOverflow) {
+  std::map<Stage, int> stages;
+  for (int e = -1070; e <= 1015; e += 5) {
+    const auto at = [e](double x, double y, double z) {
+      return Point3{std::ldexp(x, e), std::ldexp(y, e), std::ldexp(z, e)};
+    };
+    const PolygonData polygon =
+        PolygonData{}.add(std::vector<Point3>{at(0, 0, 1), at(9, 0, 2), at(9, 9, 5), at(0, 9, 4)});
+    for (const double x : {2.125, 9.5}) {
+      compare(Segment{at(x, 3.25, 9), at(2.25, 3.5, -9)}, polygon, stages);
+      compare(Ray{at(x, 3.25, 9), {at(2.25, 3.5, -9)}}, polygon, stages);
+      compare(Segment{at(x, 3.25, 9), {2, 3, -0x1p1020}}, polygon, stages);
+    }
+  }
+  EXPECT_GT(stages[Stage::filter], 300);
+  EXPECT_GT(stages[Stage::expansion] + stages[Stage::exact], 300);
+}
+
+/// Polygons are prepared and asked in a foreign environment; the expected answers come from the default one.
+class ForeignPolygonEnvironment : public testing::TestWithParam<unsigned> {
+ protected:
+  static constexpr unsigned all_bits = 0xe040;  // rounding mode, flush to zero, denormals are zero
+  static void enter(unsigned bits) { __builtin_ia32_ldmxcsr((__builtin_ia32_stmxcsr() & ~all_bits) | bits); }
+};
+
+TEST_P(ForeignPolygonEnvironment, ChangesNoAnswer) {
+  std::map<Stage, int> stages;
+  const RationalKernel k;
+  for (const PolygonFamily& family : all_polygon_families()) {
+    for (std::uint64_t i = 0; i < 300; ++i) {
+      const PolygonQuery query = family.make(Format::binary64, 17, i).query;
+      std::visit(
+          [&](const auto& probe) {
+            const PolygonAnswer expected = segura_feito(probe, cover(Polygon(query.polygon), k), k);
+            enter(GetParam());
+            PolygonAnswer answer = FilteredPolygon(query.polygon).meet(probe);
+            enter(0);
+            ++stages[answer.answer.stage];
+            answer.answer.stage = Stage::none;
+            ASSERT_EQ(answer, expected) << family.name << i;
+          },
+          query.probe);
+    }
+  }
+  EXPECT_GT(stages[Stage::filter], 100);
+}
+
+INSTANTIATE_TEST_SUITE_P(Registers, ForeignPolygonEnvironment,
+                         testing::Values(0x2000U, 0x4000U, 0x6000U, 0x8040U, 0xe040U));
 
 }  // namespace
 }  // namespace tribunal

@@ -1,7 +1,7 @@
 // Closest hits of sf-filtered in the tracer's tree against Embree 3 and CGAL's AABB tree, and whole frames against
 // POV-Ray, all on one thread. `./run bench tracer` builds and runs it. Casters of one population are interleaved in
 // random order, 15 times each; CPU time, since others may use the machine. The last lines are `ratio NAME VALUE`: our
-// rays a second over theirs, of medians, with the quartiles of the quotients in brackets.
+// rays a second over theirs, of medians, with those of opposite quartiles in brackets.
 #include <malloc.h>
 
 #include <cmath>
