@@ -4,7 +4,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/intersections.h>
 
-#include "tests/bench/peers.h"
+#include "tests/bench/predicate/peers.h"
 
 namespace tribunal::bench {
 namespace {

@@ -1,6 +1,6 @@
 // Compiled for AVX-512.
 #define HWY_COMPILE_ONLY_STATIC
-#include "tests/bench/moeller_trumbore_lanes.h"
+#include "tests/bench/predicate/moeller_trumbore_lanes.h"
 
 namespace tribunal::bench {
 

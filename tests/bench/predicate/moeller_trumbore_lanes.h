@@ -4,7 +4,7 @@
 
 #include "core/moeller_trumbore.h"
 #include "exact/filtered/batch/lanes.h"
-#include "tests/bench/peers.h"
+#include "tests/bench/predicate/peers.h"
 
 namespace tribunal::HWY_NAMESPACE {
 

@@ -1,6 +1,6 @@
 // Compiled for no vector instructions in particular.
 #define HWY_COMPILE_ONLY_SCALAR
-#include "tests/bench/moeller_trumbore_lanes.h"
+#include "tests/bench/predicate/moeller_trumbore_lanes.h"
 
 namespace tribunal::bench {
 

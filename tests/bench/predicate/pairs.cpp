@@ -1,4 +1,4 @@
-#include "tests/bench/pairs.h"
+#include "tests/bench/predicate/pairs.h"
 
 #include <cmath>
 

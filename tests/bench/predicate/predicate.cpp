@@ -18,8 +18,8 @@
 #include "exact/kernels/rational_kernel.h"
 #include "exact/methods.h"
 #include "tests/bench/medians.h"
-#include "tests/bench/pairs.h"
-#include "tests/bench/peers.h"
+#include "tests/bench/predicate/pairs.h"
+#include "tests/bench/predicate/peers.h"
 
 namespace tribunal::bench {
 namespace {
