@@ -10,7 +10,7 @@
 #include <map>
 
 #include "exact/filtered/filtered_kernel.h"
-#include "tests/bench/polygon_peers.h"
+#include "tests/bench/polygon/polygon_peers.h"
 
 namespace tribunal::bench {
 namespace {

@@ -17,8 +17,8 @@
 #include "exact/filtered/filtered_polygon.h"
 #include "exact/kernels/rational_kernel.h"
 #include "tests/bench/medians.h"
-#include "tests/bench/polygon_peers.h"
-#include "tests/bench/polygons.h"
+#include "tests/bench/polygon/polygon_peers.h"
+#include "tests/bench/polygon/polygons.h"
 
 namespace tribunal::bench {
 namespace {

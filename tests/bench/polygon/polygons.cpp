@@ -1,4 +1,4 @@
-#include "tests/bench/polygons.h"
+#include "tests/bench/polygon/polygons.h"
 
 #include <algorithm>
 #include <array>
