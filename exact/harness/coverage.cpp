@@ -72,8 +72,11 @@ std::string Coverage::to_text(const std::vector<Stage>& stages) const {
   std::string text;
   for (const Operands operands : {Operands::triangles, Operands::polygons}) {
     if (operands == Operands::polygons ? !has(operands) : has(Operands::polygons) && !has(operands)) continue;
+    if (has(Operands::triangles) && has(Operands::polygons)) {
+      text += operands == Operands::triangles ? "classes: " : "; polygons: ";
+    }
     for (const Format format : {Format::binary64, Format::binary32}) {
-      text += (text.empty() ? "" : ", ") + std::string(name_of(format));
+      text += (text.empty() || text.ends_with(": ") ? "" : ", ") + std::string(name_of(format));
       std::string separator = " ";
       for (const SlotGroup& group : groups(operands)) {
         text += separator + (operands == Operands::polygons ? group.name + " " : "");
