@@ -55,6 +55,18 @@ std::string source_of(const World& world, const Method& a, const Method& b, cons
          world.scene->solids[world.solid_of[*parting.face]].name + "\": " + a.name + " against " + b.name;
 }
 
+/// With the exact answer, and a finding where one of the methods is wrong.
+template <class C>
+C judged(C c, const Method& a, const Method& b) {
+  const auto truth = exact_truth(c.query);
+  c.expect = truth.hit();
+  for (const Method* m : {&a, &b}) {
+    const auto answer = m->ask(c.query);
+    if (judge(*m, truth, answer) == Judgement::wrong) c = with_finding(std::move(c), *m, truth, answer);
+  }
+  return c;
+}
+
 }  // namespace
 
 std::vector<DifferingPixel> differing_pixels(const Rendering& a, const Rendering& b) {
@@ -101,22 +113,11 @@ AnyCase to_case(const World& world, const Method& a, const Method& b, const Diff
   const std::string source = source_of(world, a, b, pixel, parting);
   if (const PolygonData* polygon = world.polygon(*parting.face)) {
     PolygonCase c{id_of(pixel, parting, true), world.format, {parting.probe, *polygon}, {}, source, {}};
-    const PolygonTruth truth = exact_truth(c.query);
-    c.expect = truth.hit();
-    for (const Method* m : {&a, &b}) {
-      if (judge(*m, truth, m->ask(c.query)) == Judgement::wrong) c.finding = finding_of(*m, c.query, truth);
-    }
-    return c;
+    return judged(std::move(c), a, b);
   }
   Case c{.id = id_of(pixel, parting, false), .format = world.format, .source = source};
   c.query = {parting.probe, world.triangles[*parting.face]};
-  const Truth truth = exact_truth(c.query);
-  c.expect = truth.hit();
-  for (const Method* m : {&a, &b}) {
-    const Answer answer = m->ask(c.query);
-    if (judge(*m, truth, answer) == Judgement::wrong) c.finding = finding_of(*m, c.query, c.format, truth, answer);
-  }
-  return c;
+  return judged(std::move(c), a, b);
 }
 
 }  // namespace tribunal

@@ -2,8 +2,9 @@
 #include "exact/certificate/certificate.h"
 
 #include <algorithm>
-#include <set>
+#include <map>
 
+#include "exact/classes/class_table.h"
 #include "exact/io/files.h"
 
 namespace tribunal {
@@ -19,6 +20,13 @@ ProvedSet to_set(const Json& r, const Where& where) {
           .count = to_count(require(r, "count", where), where.key("count"))};
 }
 
+/// Triangles, unless the record says otherwise.
+Operands operands_in(const Json& r, const Where& where) {
+  if (!r.contains("operands")) return Operands::triangles;
+  if (string_of(r, "operands", where) != "polygons") where.key("operands").fail("expected \"polygons\" or no such key");
+  return Operands::polygons;
+}
+
 SampledStream to_stream(const Json& r, const Where& where) {
   return {.family = string_of(r, "family", where),
           .format = format_of(r, where),
@@ -27,7 +35,8 @@ SampledStream to_stream(const Json& r, const Where& where) {
           .judged_by = string_of(r, "judged_by", where),
           .aims_at_classes = truth_value_of(r, "aims_at_classes", where),
           .taken = truth_value_of(r, "taken", where),
-          .cases = number_of(r, "cases", where)};
+          .cases = number_of(r, "cases", where),
+          .operands = operands_in(r, where)};
 }
 
 std::vector<Stage> to_stages(const Json& plan, const Where& where) {
@@ -47,6 +56,7 @@ void read(Certificate& c, const Json& r, const Where& where) {
     for (const char* key : {"method", "convention", "contract", "budget"}) string_of(r, key, where);
     c.plan = r;
     c.stages = to_stages(r, where);
+    operands_in(r, where);
   } else if (kind == "environment") {
     c.environment = r;
   } else if (kind == "set") {
@@ -67,29 +77,33 @@ void read(Certificate& c, const Json& r, const Where& where) {
   }
 }
 
+/// Slots tell triangles and polygons of one family name ("your own cases") apart.
 bool belongs(const SampleRow& row, const SampledStream& stream) {
   return row.family == stream.family && row.format == stream.format;
 }
 
 std::string name_of(const SampledStream& s) { return s.family + " " + std::string(tribunal::name_of(s.format)); }
 
-/// Every class of every stream that the method takes, empty ones too; rays only where there are some.
+/// Every class, construction or outcome that is due of every stream that the method takes, empty ones too; rays only
+/// where there are some.
 void add_strata(Certificate& c) {
   for (std::size_t i = 0; i < c.streams.size(); ++i) {
-    if (!c.streams[i].taken) continue;
-    std::vector<Count> counts(class_count + 1);
+    const SampledStream& stream = c.streams[i];
+    if (!stream.taken) continue;
+    std::map<Slot, Count> counts;
+    for (const Slot slot : slots_due(stream.operands, stream.aims_at_classes)) counts[slot];
     for (const SampleRow& row : c.rows) {
-      if (!belongs(row, c.streams[i])) continue;
-      for (std::size_t id = 0; id <= class_count; ++id) counts[id] += row.counts[id];
+      if (!belongs(row, stream)) continue;
+      for (const auto& [slot, count] : row.counts) {
+        if (operands_of(slot) == stream.operands) counts[slot] += count;
+      }
     }
-    for (std::size_t id = counts[0].asked > 0 ? 0 : 1; id <= class_count; ++id) {
-      c.strata.push_back({i, static_cast<ClassId>(id), counts[id]});
-    }
+    for (const auto& [slot, count] : counts) c.strata.push_back({i, slot, count});
   }
 }
 
 void add_coverage(Certificate& c) {
-  for (const Stratum& s : c.strata) c.coverage.add(c.streams[s.stream].format, s.class_id, s.count);
+  for (const Stratum& s : c.strata) c.coverage.add(c.streams[s.stream].format, s.slot, s.count);
 }
 
 void add_stream_gaps(Certificate& c) {
@@ -109,18 +123,22 @@ void add_stream_gaps(Certificate& c) {
   }
 }
 
-/// Every class × stream in which nothing was judged.
+/// Every stratum in which nothing was judged.
 void add_class_gaps(Certificate& c) {
   for (const Stratum& s : c.strata) {
     if (s.count.judged() > 0) continue;
     const SampledStream& stream = c.streams[s.stream];
-    const std::string what = name_of(stream) + " " + class_name(s.class_id);
+    const std::string what = name_of(stream) + " " + slot_name(s.slot);
     if (s.count.asked > 0) {
       c.gaps.push_back({what, "outside the method's contract: " + c.plan["contract"].get<std::string>(), true});
     } else if (stream.aims_at_classes) {
       c.gaps.push_back({what, "no case was drawn", false});
     } else {
-      c.gaps.push_back({what, "no case of this class came up: this population does not aim at classes", true});
+      const bool triangles = stream.operands == Operands::triangles;
+      c.gaps.push_back({what,
+                        triangles ? "no case of this class came up: this population does not aim at classes"
+                                  : "no case with this exact contact came up: this population does not aim at contacts",
+                        true});
     }
   }
 }
@@ -136,10 +154,12 @@ std::string reason_of(Stage stage, ClassId id) {
 
 void add_stage_gaps(Certificate& c) {
   for (const Format format : {Format::binary64, Format::binary32}) {
-    if (c.coverage.classes(format) == 0) continue;
     for (const Stage stage : c.stages) {
       const std::string where = std::string(tribunal::name_of(format)) + " stage " + std::string(name_of(stage));
-      if (c.coverage.classes(format, stage) == 0) c.gaps.push_back({where, "no answer came from this stage", false});
+      for (const Operands operands : {Operands::triangles, Operands::polygons}) {
+        const Count all = c.coverage.total(format, operands);
+        if (all.judged() > 0 && all.at(stage) == 0) c.gaps.push_back({where, "no answer came from this stage", false});
+      }
       for (ClassId id = 1; id <= class_count; ++id) {
         if (c.coverage.at(format, id).judged() == 0 || c.coverage.at(format, id).at(stage) > 0) continue;
         const std::string reason = reason_of(stage, id);
@@ -178,6 +198,8 @@ std::string name_of(Verdict v) {
   constexpr const char* names[] = {"not refuted", "refuted", "incomplete"};
   return names[static_cast<int>(v)];
 }
+
+Operands Certificate::operands() const { return plan.contains("operands") ? Operands::polygons : Operands::triangles; }
 
 Count Certificate::sampled() const {
   Count total;

@@ -27,15 +27,17 @@ struct SampledStream {
   std::string family;
   Format format = Format::binary64;
   std::string axis, population, judged_by;
-  bool aims_at_classes = false;  ///< every class is drawn, so an empty one is a hole
+  bool aims_at_classes = false;  ///< every class or construction is drawn, so an empty one is a hole
   bool taken = true;             ///< false: the operands do not fit the method's format
   std::uint64_t cases = 0;       ///< drawn, so the counts of every method that takes them must add up to this
+  Operands operands = Operands::triangles;
 };
 
-/// One sampled stratum: class × stream. The bounds are about cases of this generator under this seed.
+/// One sampled stratum: class, construction or outcome × stream. The bounds are about cases of this generator under
+/// this seed.
 struct Stratum {
   std::size_t stream;
-  ClassId class_id;
+  Slot slot;
   Count count;
 };
 
@@ -67,6 +69,7 @@ struct Certificate {
   Verdict verdict = Verdict::incomplete;
 
   std::string method() const { return plan.at("method"); }
+  Operands operands() const;  ///< that the plan is about
   Count sampled() const;
 };
 

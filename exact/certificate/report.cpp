@@ -31,12 +31,12 @@ Json to_json(const ProvedSet& s) {
 /// Bounds hold for one stratum; the simultaneous ones for all at once (Bonferroni).
 double simultaneous_alpha(const Certificate& c) { return confidence_alpha / static_cast<double>(c.strata.size()); }
 
-std::string name_of_class(ClassId id) { return id == 0 ? "ray" : class_name(id); }
+bool of_triangles(Slot slot) { return operands_of(slot) == Operands::triangles; }
 
 Json to_json(const Certificate& c, const Stratum& s) {
   const SampledStream& stream = c.streams[s.stream];
   Json row;
-  row["class"] = name_of_class(s.class_id);
+  row[of_triangles(s.slot) ? "class" : "case"] = slot_name(s.slot);
   row["family"] = stream.family;
   row["fmt"] = name_of(stream.format);
   row["n"] = s.count.judged();
@@ -86,12 +86,29 @@ Json calibration_json(const Certificate& c) {
   return rows;
 }
 
-Json coverage_json(const Certificate& c) {
+Json coverage_json(const Certificate& c, Format format, const SlotGroup& group, const char* judged) {
+  Json row = {{judged, c.coverage.judged(format, group)}, {"of", group.size}};
+  if (!group.finest) return row;
+  for (const Stage stage : c.stages) {
+    row["from_" + std::string(name_of(stage))] = c.coverage.judged(format, group, stage);
+  }
+  return row;
+}
+
+Json classes_json(const Certificate& c) {
   Json rows = Json::object();
   for (const Format format : {Format::binary64, Format::binary32}) {
-    Json row = {{"classes", c.coverage.classes(format)}, {"of", class_count}};
-    for (const Stage stage : c.stages) row["from_" + std::string(name_of(stage))] = c.coverage.classes(format, stage);
-    rows[std::string(name_of(format))] = row;
+    rows[std::string(name_of(format))] = coverage_json(c, format, slot_groups(Operands::triangles)[0], "classes");
+  }
+  return rows;
+}
+
+Json polygons_json(const Certificate& c) {
+  Json rows = Json::object();
+  for (const Format format : {Format::binary64, Format::binary32}) {
+    for (const SlotGroup& group : c.coverage.groups(Operands::polygons)) {
+      rows[std::string(name_of(format))][group.name] = coverage_json(c, format, group, "judged");
+    }
   }
   return rows;
 }
@@ -102,10 +119,12 @@ Json environment_json(const Certificate& c) {
   return e;
 }
 
+const char* classes_word(const Certificate& c) { return c.operands() == Operands::triangles ? "classes" : "outcomes"; }
+
 std::string proved_table(const Certificate& c) {
-  std::string text =
-      "| set | cases | classes | wrong | outside the contract | hash of the answers | judged by |\n"
-      "|---|---|---|---|---|---|---|\n";
+  std::string text = "| set | cases | " + std::string(classes_word(c)) +
+                     " | wrong | outside the contract | hash of the answers | judged by |\n"
+                     "|---|---|---|---|---|---|---|\n";
   for (const ProvedSet& s : c.proved) {
     text += "| " + s.name + " | " + std::to_string(s.size) + " | " + std::to_string(s.classes) + " | " +
             std::to_string(s.count.wrong) + " | " + std::to_string(s.count.unsupported) + " | " + s.answers_hash +
@@ -135,13 +154,6 @@ std::string sampled_table(const Certificate& c) {
   return text;
 }
 
-std::string description_of(ClassId id) {
-  if (id == 0) return "ray";
-  const ClassRow& row = class_row(id);
-  return "triangle " + row.triangle + ", segment " + row.segment + ", meet: " + row.intersection + " " +
-         (row.hit() ? row.touches : "");
-}
-
 /// The strata with the most wrong answers.
 std::vector<Stratum> worst_of(const Certificate& c, std::size_t most) {
   std::vector<Stratum> worst;
@@ -154,7 +166,7 @@ std::vector<Stratum> worst_of(const Certificate& c, std::size_t most) {
 std::string worst_line(const Certificate& c) {
   std::string text;
   for (const Stratum& s : worst_of(c, 5)) {
-    text += (text.empty() ? "  most in  " : ", ") + name_of_class(s.class_id) + " " + c.streams[s.stream].family + " " +
+    text += (text.empty() ? "  most in  " : ", ") + slot_name(s.slot) + " " + c.streams[s.stream].family + " " +
             std::string(name_of(c.streams[s.stream].format)) + " " + std::to_string(s.count.wrong) + "/" +
             std::to_string(s.count.judged());
   }
@@ -163,11 +175,11 @@ std::string worst_line(const Certificate& c) {
 
 std::string worst_classes(const Certificate& c) {
   const std::vector<Stratum> worst = worst_of(c, 20);
-  if (worst.empty()) return "No class had a wrong answer.\n";
+  if (worst.empty()) return c.operands() == Operands::triangles ? "No class had a wrong answer.\n" : "Nowhere.\n";
   std::string text = "| class | what it is | family | cases | wrong |\n|---|---|---|---|---|\n";
   for (const Stratum& s : worst) {
     const SampledStream& stream = c.streams[s.stream];
-    text += "| " + name_of_class(s.class_id) + " | " + description_of(s.class_id) + " | " + stream.family + " " +
+    text += "| " + slot_name(s.slot) + " | " + slot_description(s.slot) + " | " + stream.family + " " +
             std::string(name_of(stream.format)) + " | " + std::to_string(s.count.judged()) + " | " +
             std::to_string(s.count.wrong) + " |\n";
   }
@@ -206,7 +218,9 @@ std::string gaps_list(const Certificate& c) {
     for (std::size_t i = 1; i < std::min<std::size_t>(what.size(), 6); ++i) text += ", " + what[i];
     text += what.size() > 6 ? ", ... (all in certificate.json)\n" : "\n";
   }
-  return text + "- Every input that is not drawn from the populations above; polygons with more than three vertices.\n";
+  return text + "- Every input that is not drawn from the populations above; " +
+         (c.coverage.has(Operands::polygons) ? "triangles that are asked as such.\n"
+                                             : "polygons with more than three vertices.\n");
 }
 
 std::string calibration_list(const Certificate& c) {
@@ -226,6 +240,8 @@ std::string environment_list(const Certificate& c) {
   return text;
 }
 
+const char* coverage_word(const Certificate& c) { return c.coverage.has(Operands::polygons) ? "Polygons" : "Classes"; }
+
 std::string word(const Certificate& c, const char* key) { return c.plan[key]; }
 
 }  // namespace
@@ -234,7 +250,9 @@ Json to_json(const Certificate& c) {
   Json object = c.plan;
   object.erase("record");
   object["verdict"] = name_of(c.verdict);
-  object["classes_judged"] = coverage_json(c);
+  const bool polygons = c.coverage.has(Operands::polygons);
+  if (!polygons || c.coverage.has(Operands::triangles)) object["classes_judged"] = classes_json(c);
+  if (polygons) object["polygons_judged"] = polygons_json(c);
   object["proved"] = proved_json(c);
   object["streams"] = streams_json(c);
   object["sampled"] = sampled_json(c);
@@ -249,14 +267,16 @@ Json to_json(const Certificate& c) {
 std::string to_markdown(const Certificate& c) {
   std::string text = "# " + c.method() + ": " + name_of(c.verdict) + "\n\n";
   text += "Contract: " + word(c, "contract") + ". Convention: " + word(c, "convention") + ". Budget " +
-          word(c, "budget") + ", seed " + c.plan["seed"].dump() + ". Classes judged: " + c.coverage.to_text(c.stages) +
-          ".\n\n";
+          word(c, "budget") + ", seed " + c.plan["seed"].dump() + ". " + coverage_word(c) +
+          " judged: " + c.coverage.to_text(c.stages) + ".\n\n";
   if (!c.proved.empty()) text += "## Proved: sets run whole\n\n" + proved_table(c) + "\n";
   text +=
       "## Sampled\n\nThe bounds are one-sided Clopper-Pearson bounds and speak of cases of these populations under "
-      "this seed only. Bounds for each class, pointwise and simultaneous (Bonferroni over " +
-      std::to_string(c.strata.size()) + " strata), are in `certificate.json`.\n\n" + stages_table(c) +
-      sampled_table(c) + "\nWhere it was wrong:\n\n" + worst_classes(c) + "\nPopulations:\n\n" + populations(c) + "\n";
+      "this seed only. Bounds for each " +
+      std::string(c.operands() == Operands::triangles ? "class" : "construction and outcome") +
+      ", pointwise and simultaneous (Bonferroni over " + std::to_string(c.strata.size()) +
+      " strata), are in `certificate.json`.\n\n" + stages_table(c) + sampled_table(c) + "\nWhere it was wrong:\n\n" +
+      worst_classes(c) + "\nPopulations:\n\n" + populations(c) + "\n";
   text += "## Not covered\n\n" + gaps_list(c) + "\n";
   text += "## Calibration\n\n" + calibration_list(c) + "\n";
   text += "## Environment\n\n" + environment_list(c);
@@ -268,7 +288,7 @@ std::string to_summary(const Certificate& c) {
   std::string text = c.method() + ": " + name_of(c.verdict) + "\n";
   for (const ProvedSet& s : c.proved) {
     text += "  proved   " + s.name + ": " + std::to_string(s.count.wrong) + " wrong of " +
-            std::to_string(s.count.judged()) + ", " + std::to_string(s.classes) + " classes\n";
+            std::to_string(s.count.judged()) + ", " + std::to_string(s.classes) + " " + classes_word(c) + "\n";
   }
   const Count sampled = c.sampled();
   const bool generated = !c.calibration.empty();
@@ -280,7 +300,7 @@ std::string to_summary(const Certificate& c) {
   }
   text += sampled.unsupported == 0 ? "\n" : "; " + std::to_string(sampled.unsupported) + " outside the contract\n";
   text += worst_line(c);
-  text += "  classes  " + c.coverage.to_text(c.stages) + "\n";
+  text += (c.coverage.has(Operands::polygons) ? "  judged   " : "  classes  ") + c.coverage.to_text(c.stages) + "\n";
   for (const Gap& g : c.gaps) {
     if (!g.explained) text += "  HOLE     " + g.what + ": " + g.reason + "\n";
   }

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <bitset>
 
+#include "exact/certificate/scope_part.h"
 #include "exact/classes/class_table.h"
 #include "exact/families/axis_maps.h"
 #include "exact/harness/parallel.h"
@@ -16,44 +16,15 @@ namespace {
 
 using Integer = std::int32_t;  ///< coordinates up to 4: every volume fits by far
 using IntegerKernel = FormulaKernel<Integer>;
-using Classes = std::bitset<class_count + 1>;
 using ClassCounts = std::array<std::uint64_t, class_count + 1>;
 
 constexpr const char* class_and_caratheodory = "class by 32-bit orientations, Caratheodory over 32-bit integers";
 
-/// FNV-1a, 64 bits.
-struct Hash {
-  std::uint64_t state = 0xcbf29ce484222325;
+using Part = ScopePart<OnTriangles>;
 
-  void add(std::uint8_t byte) { state = (state ^ byte) * 0x100000001b3; }
-  void add(std::uint64_t word) {
-    for (int shift = 0; shift < 64; shift += 8) add(static_cast<std::uint8_t>(word >> shift));
-  }
-};
-
-/// What one worker or block has found.
-struct Part {
-  Count count{};
-  Classes classes{};
-  Classes wrong_classes{};
-  Hash hash{};
-  std::vector<Query> wrong{};
-
-  void ask(const Method& method, const Segment& s, const Triangle& t, const Truth& truth) {
-    const Answer answer = method.segment(s, t);
-    const Judgement j = judge(method, truth, answer);
-    count.add(j, answer.stage);
-    if (j != Judgement::unsupported) classes.set(truth.class_id);
-    hash.add(static_cast<std::uint8_t>(answer.status == Status::ok ? answer.hit : 2));
-    if (j == Judgement::wrong) keep(truth.class_id, {s, t});
-  }
-
-  void keep(ClassId id, const Query& query) {
-    if (wrong_classes.test(id)) return;
-    wrong_classes.set(id);
-    wrong.push_back(query);
-  }
-};
+void ask(Part& part, const Method& method, const Segment& s, const Triangle& t, const Truth& truth) {
+  part.add(method, truth, method.segment(s, t), [&] { return Query{s, t}; });
+}
 
 std::array<Triangle, 6> orders_of(const Triangle& t) {
   return {{{t.a, t.b, t.c}, {t.a, t.c, t.b}, {t.b, t.a, t.c}, {t.b, t.c, t.a}, {t.c, t.a, t.b}, {t.c, t.b, t.a}}};
@@ -116,30 +87,11 @@ void run_triangle(const Method& method, const Points& points, const Triple& trip
       const Truth truth = lattice_truth({points[i], points[j]}, orders[0]);
       ++out.tuples[truth.class_id];
       for (const Triangle& t : orders) {
-        out.part.ask(method, {points[i], points[j]}, t, truth);
-        if (i != j) out.part.ask(method, {points[j], points[i]}, t, truth);
+        ask(out.part, method, {points[i], points[j]}, t, truth);
+        if (i != j) ask(out.part, method, {points[j], points[i]}, t, truth);
       }
     }
   }
-}
-
-/// Adds a block's findings; blocks come in order.
-void merge(Part& total, const Part& part) {
-  total.count += part.count;
-  total.classes |= part.classes;
-  total.hash.add(part.hash.state);
-  for (const Query& q : part.wrong) total.keep(exact_truth(q).class_id, q);
-}
-
-ScopeResult result_of(std::string name, std::string oracles, std::uint64_t size, const Part& part) {
-  return {.name = std::move(name),
-          .oracles = std::move(oracles),
-          .size = size,
-          .answers_hash = part.hash.state,
-          .count = part.count,
-          .classes = static_cast<int>(part.classes.count()),
-          .complete = part.count.asked == size,
-          .wrong = part.wrong};
 }
 
 /// The class table has counted the unordered tuples of these two lattices, by a program of its own.
@@ -166,11 +118,11 @@ ScopeResult pocket_run(const Method& method) {
     const Truth truth{row.id, row.contact()};
     for (const Triangle& t : orders_of(row.representative_triangle())) {
       for (const Segment& directed : {s, Segment{s.q, s.p}}) {
-        for (const AxisMap& map : axis_maps()) part.ask(method, map(directed), map(t), truth);
+        for (const AxisMap& map : axis_maps()) ask(part, method, map(directed), map(t), truth);
       }
     }
   }
-  return result_of("163 classes x 12 orders x 48 axis maps", "class table", class_count * 12 * 48, part);
+  return part.result("163 classes x 12 orders x 48 axis maps", "class table", class_count * 12 * 48);
 }
 
 ScopeResult lattice_run(const Method& method, int side, unsigned threads) {
@@ -190,12 +142,12 @@ ScopeResult lattice_run(const Method& method, int side, unsigned threads) {
   });
 
   Part total;
-  for (const Part& part : parts) merge(total, part);
+  for (const Part& part : parts) total.merge(part);
   for (unsigned w = 1; w < threads; ++w) {
     for (std::size_t id = 0; id <= class_count; ++id) tuples[0][id] += tuples[w][id];
   }
   if (total.count.asked == size) require_counts_of_table(tuples[0], side);
-  return result_of(name, class_and_caratheodory, size, total);
+  return total.result(name, class_and_caratheodory, size);
 }
 
 ScopeResult line_run(const Method& method) {
@@ -209,8 +161,8 @@ ScopeResult line_run(const Method& method) {
     for (const Triple& t : triples(points.size())) run_triangle(method, points, t, all);
     size += fifth_power(points.size());
   }
-  return result_of("all ordered tuples of five points of a line, along 13 directions", class_and_caratheodory, size,
-                   all.part);
+  return all.part.result("all ordered tuples of five points of a line, along 13 directions", class_and_caratheodory,
+                         size);
 }
 
 }  // namespace tribunal

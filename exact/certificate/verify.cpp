@@ -4,8 +4,8 @@
 
 #include "exact/certificate/small_scope.h"
 #include "exact/harness/counterexample.h"
-#include "exact/io/case_io.h"
 #include "exact/io/files.h"
+#include "exact/io/polygon_case_io.h"
 #include "exact/methods.h"
 
 namespace tribunal {
@@ -15,31 +15,49 @@ void compare(Verification& v, const std::string& path, const std::string& due) {
   if (read_file(path) != due) v.faults.push_back(path + " is not what the log gives");
 }
 
-/// Judged by the oracles, not by the method: a counterexample stands on its own.
-void confirm(Verification& v, const Json& line) {
-  const Case c = to_case(line, {"log.jsonl"});
-  const Truth truth = exact_truth(c.query);
+template <class C>
+bool is_counterexample(const C& c) {
+  const auto truth = exact_truth(c.query);
   const bool transversal = c.finding.value("convention", "") == name_of(Convention::transversal);
   const bool due = counts_as_hit(truth.contact, transversal ? Convention::transversal : Convention::closed);
-  if (!mistaken_claim(c, truth).empty() || c.finding.value("expected", -1) != (due ? 1 : 0) ||
-      c.finding.value("answered", -1) != (due ? 0 : 1) || c.finding.value("exact", Json()) != exact_evidence(c.query)) {
-    v.faults.push_back("counterexample " + c.id + " is none");
-  } else {
-    ++v.confirmed;
-  }
+  return mistaken_claim(c, truth).empty() && c.finding.value("expected", -1) == (due ? 1 : 0) &&
+         c.finding.value("answered", -1) == (due ? 0 : 1) &&
+         c.finding.value("exact", Json()) == exact_evidence(c.query);
 }
 
-void ask_again(Verification& v) {
-  const Method* method = find_method(v.certificate.method());
-  if (method == nullptr || v.certificate.proved.empty()) return;
-  const ScopeResult again = pocket_run(*method);
+/// Judged by the oracles, not by the method: a counterexample stands on its own.
+void confirm(Verification& v, const Json& line) {
+  const AnyCase any = to_any_case(line, {"log.jsonl"});
+  std::visit(
+      [&](const auto& c) {
+        if (is_counterexample(c)) {
+          ++v.confirmed;
+        } else {
+          v.faults.push_back("counterexample " + c.id + " is none");
+        }
+      },
+      any);
+}
+
+template <class On>
+void compare(Verification& v, const BasicScopeResult<On>& again) {
   char hash[20];
   std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(again.answers_hash));
   const ProvedSet& logged = v.certificate.proved.front();
   if (logged.answers_hash != hash || logged.count != again.count) {
     v.faults.push_back("the set \"" + logged.name + "\", run again, gives other answers");
   }
-  v.asked_again = true;
+  v.asked_again = again.size;
+}
+
+void ask_again(Verification& v) {
+  const Method* method = find_method(v.certificate.method());
+  if (method == nullptr || v.certificate.proved.empty()) return;
+  if (v.certificate.operands() == Operands::triangles) {
+    compare(v, pocket_run(*method));
+  } else if (method->polygon) {
+    compare(v, pocket_of_rings_run(*method));
+  }
 }
 
 }  // namespace

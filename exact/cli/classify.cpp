@@ -3,6 +3,7 @@
 #include "exact/cli/command.h"
 #include "exact/io/files.h"
 #include "exact/io/polygon_case_io.h"
+#include "exact/polygon/judge.h"
 
 namespace tribunal {
 namespace {
@@ -17,7 +18,13 @@ Answer answer_to(const Method& method, const Query& query) {
   return segment != nullptr && method.classify ? method.classify(*segment, query.triangle) : method.ask(query);
 }
 
-PolygonAnswer answer_to(const Method& method, const PolygonQuery& query) { return method.ask(query); }
+/// `unsupported` where the method promises nothing, which takes the exact answer to tell.
+PolygonAnswer answer_to(const Method& method, const PolygonQuery& query) {
+  const PolygonAnswer answer = method.ask(query);
+  const bool promises_all = method.polygon_promise.boundary && method.polygon_promise.surface;
+  if (promises_all || answer.answer.status != Status::ok) return answer;
+  return within_contract(method, exact_truth(query), answer);
+}
 
 int run(const Options& o) {
   const std::vector<Method> methods = methods_named(o.methods);

@@ -1,12 +1,12 @@
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <map>
 #include <memory>
 
-#include "exact/classes/class_table.h"
 #include "exact/cli/command.h"
-#include "exact/cli/fuzz_polygons.h"
 #include "exact/cli/fuzz_relations.h"
+#include "exact/cli/polygon_streams.h"
 #include "exact/harness/checkpoint.h"
 #include "exact/harness/counterexample.h"
 #include "exact/harness/coverage.h"
@@ -33,15 +33,14 @@ std::uint64_t cases_of(const Options& o) {
   return o.count > 0 ? o.count : o.seconds > 0 ? no_limit : default_cases;
 }
 
-FuzzPlan plan_of(const Options& o) {
-  FuzzPlan plan;
-  plan.methods = methods_named(o.methods);
-  plan.streams = streams_named(o.families);
-  plan.seed = o.seed;
-  plan.seconds = o.seconds;
-  plan.cases = cases_of(o);
-  plan.threads = o.threads;
-  return plan;
+template <class On>
+BasicFuzzPlan<On> plan_of(const Options& o, std::vector<BasicStream<On>> streams) {
+  return {.methods = methods_named(o.methods),
+          .streams = std::move(streams),
+          .seed = o.seed,
+          .cases = cases_of(o),
+          .seconds = o.seconds,
+          .threads = o.threads};
 }
 
 struct Row {
@@ -49,51 +48,51 @@ struct Row {
   auto operator<=>(const Row&) const = default;
 };
 
-std::map<Row, Count> by_level(const FuzzReport& report) {
+/// By method × stream, and level if asked for.
+template <class On>
+std::map<Row, Count> rows_of(const BasicFuzzReport<On>& report, bool levels) {
   std::map<Row, Count> rows;
   report.counts.for_each([&](const Cell& c, const Count& count) {
-    if (count.asked > 0) rows[{c.method, c.stream, c.level}] += count;
+    rows[{c.method, c.stream, levels ? c.level : 0}] += count;
   });
   return rows;
 }
 
-/// The same, summed over levels.
-std::map<Row, Count> by_stream(const FuzzReport& report) {
-  std::map<Row, Count> rows;
-  for (const auto& [row, count] : by_level(report)) rows[{row.method, row.stream, 0}] += count;
-  return rows;
-}
-
-Coverage coverage_of(const FuzzPlan& plan, const FuzzReport& report, std::size_t method) {
+template <class On>
+Coverage coverage_of(const BasicFuzzPlan<On>& plan, const BasicFuzzReport<On>& report, std::size_t method) {
   Coverage coverage;
   report.counts.for_each([&](const Cell& c, const Count& count) {
-    if (c.method == method) coverage.add(plan.streams[c.stream].format, c.class_id, count);
+    if (c.method == method) coverage.add(plan.streams[c.stream].format, c.slot, count);
   });
   return coverage;
 }
 
-std::string coverage(const FuzzPlan& plan, const FuzzReport& report) {
+template <class On>
+std::string coverage(const BasicFuzzPlan<On>& plan, const BasicFuzzReport<On>& report) {
+  const std::string what = On::operands == Operands::triangles ? "classes judged  " : "judged  ";
   std::string text;
   for (std::size_t m = 0; m < plan.methods.size(); ++m) {
     const Method& method = plan.methods[m];
-    text += "classes judged  " + method.name + ": " + coverage_of(plan, report, m).to_text(method.stages) + "\n";
+    text += what + method.name + ": " + coverage_of(plan, report, m).to_text(method.stages) + "\n";
   }
   return text;
 }
 
-std::string table(const FuzzPlan& plan, const FuzzReport& report, bool levels) {
+template <class On>
+std::string table(const BasicFuzzPlan<On>& plan, const BasicFuzzReport<On>& report, bool levels) {
+  constexpr int width = On::operands == Operands::triangles ? 9 : 17;
   std::string text;
   char line[200];
-  std::snprintf(line, sizeof line, "%-14s %-9s %-9s %6s %12s %10s  %s\n", "method", "family", "format",
+  std::snprintf(line, sizeof line, "%-14s %-*s %-9s %6s %12s %10s  %s\n", "method", width, "family", "format",
                 levels ? "level" : "", "judged", "wrong", "share");
   text += line;
-  for (const auto& [row, count] : levels ? by_level(report) : by_stream(report)) {
-    const Stream& s = plan.streams[row.stream];
+  for (const auto& [row, count] : rows_of(report, levels)) {
+    const BasicStream<On>& s = plan.streams[row.stream];
     const std::string level = levels ? std::to_string(s.family->levels(s.format)[row.level]) : "";
     const double share =
         count.judged() == 0 ? 0 : static_cast<double>(count.wrong) / static_cast<double>(count.judged());
     std::snprintf(
-        line, sizeof line, "%-14s %-9s %-9s %6s %12llu %10llu  %.4f %%\n", plan.methods[row.method].name.c_str(),
+        line, sizeof line, "%-14s %-*s %-9s %6s %12llu %10llu  %.4f %%\n", plan.methods[row.method].name.c_str(), width,
         std::string(s.family->name).c_str(), std::string(name_of(s.format)).c_str(), level.c_str(),
         static_cast<unsigned long long>(count.judged()), static_cast<unsigned long long>(count.wrong), 100 * share);
     text += line;
@@ -101,7 +100,8 @@ std::string table(const FuzzPlan& plan, const FuzzReport& report, bool levels) {
   return text;
 }
 
-Json coverage_json(const FuzzPlan& plan, const FuzzReport& report) {
+template <class On>
+Json coverage_json(const BasicFuzzPlan<On>& plan, const BasicFuzzReport<On>& report) {
   Json object = Json::object();
   for (std::size_t m = 0; m < plan.methods.size(); ++m) {
     object[plan.methods[m].name] = coverage_of(plan, report, m).to_text(plan.methods[m].stages);
@@ -109,43 +109,46 @@ Json coverage_json(const FuzzPlan& plan, const FuzzReport& report) {
   return object;
 }
 
-/// Per method × family × format × class; nothing that varies from run to run.
-Json summary(const FuzzPlan& plan, const FuzzReport& report) {
-  std::map<std::tuple<std::size_t, std::size_t, ClassId>, Count> cells;
-  report.counts.for_each([&](const Cell& c, const Count& count) {
-    if (count.asked > 0) cells[{c.method, c.stream, c.class_id}] += count;
-  });
+/// Per method × family × format × class, or construction or outcome; nothing that varies from run to run.
+template <class On>
+Json summary(const BasicFuzzPlan<On>& plan, const BasicFuzzReport<On>& report) {
+  constexpr bool triangles = On::operands == Operands::triangles;
+  std::map<std::tuple<std::size_t, std::size_t, Slot>, Count> cells;
+  report.counts.for_each([&](const Cell& c, const Count& count) { cells[{c.method, c.stream, c.slot}] += count; });
   Json rows = Json::array();
   for (const auto& [key, count] : cells) {
-    const auto& [method, stream, id] = key;
+    const auto& [method, stream, slot] = key;
     rows.push_back({{"method", plan.methods[method].name},
                     {"family", plan.streams[stream].family->name},
                     {"fmt", name_of(plan.streams[stream].format)},
-                    {"class", class_name(id)},
+                    {triangles ? "class" : "case", slot_name(slot)},
                     {"asked", count.asked},
                     {"wrong", count.wrong},
                     {"unsupported", count.unsupported}});
   }
   return {{"seed", plan.seed},
           {"cases", report.cases},
-          {"classes_judged", coverage_json(plan, report)},
+          {triangles ? "classes_judged" : "polygons_judged", coverage_json(plan, report)},
           {"counts", rows},
           {"environment", environment()}};
 }
 
-std::vector<Case> counterexamples(const FuzzPlan& plan, const FuzzReport& report, std::size_t keep) {
-  std::vector<Case> cases;
+template <class On>
+std::vector<typename On::Case> counterexamples(const BasicFuzzPlan<On>& plan, const BasicFuzzReport<On>& report,
+                                               std::size_t keep) {
+  std::vector<typename On::Case> cases;
   std::vector<std::size_t> kept(plan.methods.size());
-  for (const Finding& f : report.findings) {
+  for (const BasicFinding<On>& f : report.findings) {
     if (kept[f.method]++ < keep) cases.push_back(to_counterexample(plan, f));
   }
   return cases;
 }
 
-FuzzReport run_plan(const Options& o, const FuzzPlan& plan) {
+template <class On>
+BasicFuzzReport<On> run_plan(const Options& o, const BasicFuzzPlan<On>& plan) {
   if (o.out.empty()) return fuzz(plan);
   make_directory(o.out);
-  FuzzReport start = empty_report(plan);
+  BasicFuzzReport<On> start = empty_report(plan);
   if (o.resume) {
     if (const auto saved = load_checkpoint(o.out, plan)) start = *saved;
     print("going on after " + std::to_string(start.cases) + " cases\n");
@@ -153,10 +156,11 @@ FuzzReport run_plan(const Options& o, const FuzzPlan& plan) {
     throw Failure(Exit::usage,
                   checkpoint_path(o.out) + " is of an interrupted run: --resume goes on with it, or remove it");
   }
-  return fuzz(plan, start, [&](const FuzzReport& report) { save_checkpoint(o.out, plan, report); });
+  return fuzz(plan, start, [&](const BasicFuzzReport<On>& report) { save_checkpoint(o.out, plan, report); });
 }
 
-std::string totals(const FuzzPlan& plan, const FuzzReport& report) {
+template <class On>
+std::string totals(const BasicFuzzPlan<On>& plan, const BasicFuzzReport<On>& report) {
   std::string text = std::to_string(report.cases) + " cases, seed " + std::to_string(plan.seed);
   if (report.seconds > 0) {
     text += "; " + compact(static_cast<double>(report.run_here)) + " in " + compact(report.seconds) + " s, " +
@@ -165,8 +169,9 @@ std::string totals(const FuzzPlan& plan, const FuzzReport& report) {
   return text + "\n";
 }
 
-void write_findings(const Options& o, const FuzzPlan& plan, const FuzzReport& report) {
-  const std::vector<Case> cases = counterexamples(plan, report, o.keep);
+template <class On>
+void write_findings(const Options& o, const BasicFuzzPlan<On>& plan, const BasicFuzzReport<On>& report) {
+  const auto cases = counterexamples(plan, report, o.keep);
   write_file(o.out + "/summary.json", summary(plan, report).dump(1) + "\n");
   write_file(o.out + "/counterexamples.jsonl", to_lines(cases));
   remove_checkpoint(o.out);
@@ -174,26 +179,11 @@ void write_findings(const Options& o, const FuzzPlan& plan, const FuzzReport& re
         (cases.empty() ? "" : "; `tribunal replay` shows them") + "\n");
 }
 
-PolygonFuzzPlan polygon_plan_of(const Options& o, std::vector<PolygonStream> streams) {
-  if (o.relations || o.resume) throw Failure(Exit::usage, "polygon families know no --relations and no --resume yet");
-  PolygonFuzzPlan plan;
-  plan.methods = methods_named(o.methods);
-  plan.streams = std::move(streams);
-  plan.seed = o.seed;
-  plan.seconds = o.seconds;
-  plan.cases = cases_of(o);
-  plan.threads = o.threads;
-  return plan;
-}
-
-int run(const Options& o) {
-  if (const auto streams = polygon_streams_named(o.families); !streams.empty()) {
-    return run_polygons(polygon_plan_of(o, streams), o.out, o.keep, o.levels);
-  }
-  const FuzzPlan plan = plan_of(o);
+template <class On>
+int run(const Options& o, const BasicFuzzPlan<On>& plan) {
   if (o.relations) return run_relations(plan, o.out);
   watch_interrupts();  // from here on a signal leaves a checkpoint
-  const FuzzReport report = run_plan(o, plan);
+  const BasicFuzzReport<On> report = run_plan(o, plan);
   if (report.cases == 0) throw Failure(Exit::resources, "no case was run");
   print(table(plan, report, o.levels) + coverage(plan, report) + totals(plan, report));
   const bool complete = is_complete(plan, report);
@@ -206,13 +196,20 @@ int run(const Options& o) {
   return exit_code_after(code(report.findings.empty() ? Exit::ok : Exit::disagreement), complete ? 0 : interrupted());
 }
 
+int run(const Options& o) {
+  const auto polygon_streams = polygon_streams_named(o.families);
+  if (polygon_streams.empty()) return run(o, plan_of(o, streams_named(o.families)));
+  const PolygonFuzzPlan plan = plan_of(o, polygon_streams);
+  std::for_each(plan.methods.begin(), plan.methods.end(), require_polygons);
+  return run(o, plan);
+}
+
 }  // namespace
 
 Action declare_fuzz(CLI::App& app) {
   const auto o = std::make_shared<Options>();
   auto* methods = app.add_option("--method", o->methods, "methods, separated by commas")->capture_default_str();
-  app.add_option("--family", o->families,
-                 family_help() + "; or polygon families, by themselves:" + polygon_family_names());
+  app.add_option("--family", o->families, family_help() + polygon_family_help());
   app.add_option("--seed", o->seed, "seed of the cases")->check(whole_number())->capture_default_str();
   auto* count =
       app.add_option("--count", o->count, "cases in all (default 500000)")->check(whole_number())->check(above_zero());

@@ -4,27 +4,33 @@
 
 #include "exact/cli/command.h"
 #include "exact/harness/interrupt.h"
-#include "exact/io/case_io.h"
 #include "exact/io/failure.h"
 #include "exact/io/files.h"
+#include "exact/io/polygon_case_io.h"
+#include "exact/polygon/relations.h"
 #include "exact/relations/relation.h"
 
 namespace tribunal {
 namespace {
 
-double share(const RelationCount& c) {
+std::span<const Relation> relations_of(const FuzzPlan&) { return all_relations(); }
+std::span<const PolygonRelation> relations_of(const PolygonFuzzPlan&) { return all_polygon_relations(); }
+
+template <class C>
+double share(const C& c) {
   return c.asked == 0 ? 0 : static_cast<double>(c.broken) / static_cast<double>(c.asked);
 }
 
-std::string table(const FuzzPlan& plan, const std::vector<RelationCount>& counts) {
+template <class P, class C>
+std::string table(const P& plan, const std::vector<C>& counts) {
   std::string text;
   char line[240];
-  std::snprintf(line, sizeof line, "%-14s %-14s %10s %10s  %-10s %s\n", "method", "relation", "asked", "broken",
+  std::snprintf(line, sizeof line, "%-14s %-16s %10s %10s  %-10s %s\n", "method", "relation", "asked", "broken",
                 "share", "what must hold");
   text += line;
-  for (const RelationCount& c : counts) {
-    const Relation& relation = all_relations()[c.relation];
-    std::snprintf(line, sizeof line, "%-14s %-14s %10llu %10llu  %-8.4f %% %s\n", plan.methods[c.method].name.c_str(),
+  for (const C& c : counts) {
+    const auto& relation = relations_of(plan)[c.relation];
+    std::snprintf(line, sizeof line, "%-14s %-16s %10llu %10llu  %-8.4f %% %s\n", plan.methods[c.method].name.c_str(),
                   std::string(relation.name).c_str(), static_cast<unsigned long long>(c.asked),
                   static_cast<unsigned long long>(c.broken), 100 * share(c), std::string(relation.statement).c_str());
     text += line;
@@ -32,11 +38,12 @@ std::string table(const FuzzPlan& plan, const std::vector<RelationCount>& counts
   return text;
 }
 
-Json to_json(const FuzzPlan& plan, const std::vector<RelationCount>& counts) {
+template <class P, class C>
+Json to_json(const P& plan, const std::vector<C>& counts) {
   Json rows = Json::array();
-  for (const RelationCount& c : counts) {
+  for (const C& c : counts) {
     rows.push_back({{"method", plan.methods[c.method].name},
-                    {"relation", all_relations()[c.relation].name},
+                    {"relation", relations_of(plan)[c.relation].name},
                     {"asked", c.asked},
                     {"broken", c.broken}});
   }
@@ -44,25 +51,26 @@ Json to_json(const FuzzPlan& plan, const std::vector<RelationCount>& counts) {
 }
 
 /// All queries of every first witness; replay shows which answer is wrong.
-std::string witnesses(const FuzzPlan& plan, const std::vector<RelationCount>& counts) {
+template <class On, class C>
+std::string witnesses(const BasicFuzzPlan<On>& plan, const std::vector<C>& counts) {
   std::string lines;
-  for (const RelationCount& c : counts) {
-    const std::string id = plan.methods[c.method].name + "-" + std::string(all_relations()[c.relation].name);
+  for (const C& c : counts) {
+    const std::string id = plan.methods[c.method].name + "-" + std::string(relations_of(plan)[c.relation].name);
     int n = 0;
-    for (const Query& query : c.witness) {
-      lines += from_case({.id = id + "-" + std::to_string(++n), .query = query}).dump() + "\n";
+    for (const auto& query : c.witness) {
+      const typename On::Case witness{.id = id + "-" + std::to_string(++n), .query = query};
+      lines += from_case(witness).dump() + "\n";
     }
   }
   return lines;
 }
 
-}  // namespace
-
-int run_relations(const FuzzPlan& plan, const std::string& out) {
+template <class On>
+int run(const BasicFuzzPlan<On>& plan, const std::string& out) {
   if (!out.empty()) make_directory(out);
-  const std::vector<RelationCount> counts = check_relations(plan);
+  const auto counts = check_relations(plan);
   bool any_broken = false;
-  for (const RelationCount& c : counts) any_broken |= c.broken > 0;
+  for (const auto& c : counts) any_broken |= c.broken > 0;
   print(table(plan, counts));
   if (!out.empty()) {
     write_file(out + "/relations.json", to_json(plan, counts).dump(1) + "\n");
@@ -70,5 +78,10 @@ int run_relations(const FuzzPlan& plan, const std::string& out) {
   }
   return exit_code_after(code(any_broken ? Exit::disagreement : Exit::ok), interrupted());
 }
+
+}  // namespace
+
+int run_relations(const FuzzPlan& plan, const std::string& out) { return run(plan, out); }
+int run_relations(const PolygonFuzzPlan& plan, const std::string& out) { return run(plan, out); }
 
 }  // namespace tribunal

@@ -21,12 +21,20 @@ Convention convention_of(const Options& o) {
   return o.convention == name_of(Convention::closed) ? Convention::closed : Convention::transversal;
 }
 
+template <class On>
+void log_part(ChainedLog& log, const Method& method, const ExamPart<On>& part, const AnswerSheet& sheet) {
+  log_own_cases<On>(log, method, part.cases, part.truths,
+                    [&](std::size_t i) { return typename On::Answer{sheet.answers[part.places[i]]}; });
+}
+
 /// The log of a trial that consists of these cases and answers.
 ChainedLog log_of(const Exam& exam, const AnswerSheet& sheet, Convention convention) {
   const Method method = method_of(sheet, convention);
+  const Operands operands = exam.triangles.cases.empty() ? Operands::polygons : Operands::triangles;
   ChainedLog log;
-  log_plan(log, method, "the cases of a file", 0);
-  log_own_cases(log, method, exam.cases, exam.truths, [&](std::size_t i) { return sheet.answers[i]; });
+  log_plan(log, method, operands, "the cases of a file", 0);
+  log_part(log, method, exam.triangles, sheet);
+  log_part(log, method, exam.polygons, sheet);
   return log;
 }
 
@@ -58,7 +66,7 @@ int run(const Options& o) {
   std::vector<Certificate> all;
   std::string text;
   Count sum;
-  for (const AnswerSheet& sheet : read_answers(o.answers, exam.cases)) {
+  for (const AnswerSheet& sheet : read_answers(o.answers, exam.ids)) {
     logs.push_back(log_of(exam, sheet, convention_of(o)));
     all.push_back(certificate_from(logs.back().so_far(), o.answers));
     sum += all.back().sampled();

@@ -2,12 +2,9 @@
 
 #include "exact/cli/command.h"
 #include "exact/harness/counterexample.h"
-#include "exact/harness/shrink.h"
 #include "exact/io/failure.h"
 #include "exact/io/files.h"
 #include "exact/methods.h"
-#include "exact/polygon/fuzz.h"
-#include "exact/polygon/shrink.h"
 
 namespace tribunal {
 namespace {
@@ -31,31 +28,6 @@ const Method& method_of(const C& c, const std::string& given, const std::string&
   const Method* method = find_method(name);
   if (method == nullptr) throw Failure(Exit::usage, file + ": " + c.id + " names an unknown method, " + name);
   return *method;
-}
-
-Case shrunk(Case c, const Method& method) {
-  const Truth before = exact_truth(c.query);
-  if (judge(method, before, method.ask(c.query)) != Judgement::wrong) {
-    throw Failure(Exit::bad_input, c.id + ": " + method.name + " answers it rightly, expected a counterexample");
-  }
-  c.query = shrink(method, c.query, c.format);
-  const Json origin = c.finding.is_object() ? c.finding.value("origin", Json()) : Json();
-  c = with_finding(c, method, exact_truth(c.query), method.ask(c.query));
-  if (!origin.is_null()) c.finding["origin"] = origin;
-  return c;
-}
-
-PolygonCase shrunk(PolygonCase c, const Method& method) {
-  if (judge(method, exact_truth(c.query), method.ask(c.query)) != Judgement::wrong) {
-    throw Failure(Exit::bad_input, c.id + ": " + method.name + " answers it rightly, expected a counterexample");
-  }
-  c.query = shrink(method, c.query, c.format);
-  const PolygonTruth truth = exact_truth(c.query);
-  c.expect = truth.hit();
-  const Json origin = c.finding.is_object() ? c.finding.value("origin", Json()) : Json();
-  c.finding = finding_of(method, c.query, truth);
-  if (!origin.is_null()) c.finding["origin"] = origin;
-  return c;
 }
 
 int run_shrink(const std::string& file, const std::string& method, const std::string& out) {

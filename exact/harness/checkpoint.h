@@ -13,10 +13,12 @@ std::string checkpoint_path(const std::string& directory);
 
 /// Counts, the numbers of the cases found wrong, and how far the run came, as a chained log. The results of an earlier
 /// run in the directory are removed: they are not of this one.
-void save_checkpoint(const std::string& directory, const FuzzPlan& plan, const FuzzReport& report);
+template <class On>
+void save_checkpoint(const std::string& directory, const BasicFuzzPlan<On>& plan, const BasicFuzzReport<On>& report);
 
 /// The saved report, or nothing if there is none. Fails with Exit::usage if it belongs to another plan.
-std::optional<FuzzReport> load_checkpoint(const std::string& directory, const FuzzPlan& plan);
+template <class On>
+std::optional<BasicFuzzReport<On>> load_checkpoint(const std::string& directory, const BasicFuzzPlan<On>& plan);
 
 void remove_checkpoint(const std::string& directory);
 

@@ -1,50 +1,49 @@
+// What counterexamples have in common, whatever the operands.
 #include "exact/harness/counterexample.h"
 
 #include <cstdio>
 
 #include "exact/classes/class_table.h"
+#include "exact/harness/describe.h"
 #include "exact/harness/environment.h"
 #include "exact/harness/shrink.h"
-#include "exact/kernels/rational_kernel.h"
+#include "exact/io/failure.h"
 #include "exact/methods.h"
+#include "exact/polygon/shrink.h"
 
 namespace tribunal {
 namespace {
 
-/// Where on the probe the plane of t lies: V(p) / (V(p) − V(q)) on a segment, V(o) / −V(d) on a ray.
-HitParameter<Dyadic> parameter(const Ray& r, const Triangle& t) { return hit_parameter<Dyadic>(r, t); }
-
-HitParameter<Dyadic> parameter(const Segment& s, const Triangle& t) {
-  const Dyadic from_p = signed_volume<Dyadic>(t.a, t.b, t.c, s.p);
-  return {from_p, from_p - signed_volume<Dyadic>(t.a, t.b, t.c, s.q)};
+/// What the method says within its contract; what it says of operands beyond its format does not count.
+template <class Q, class T>
+auto answer_in_contract(const Method& method, Format format, const Q& query, const T& truth) {
+  auto answer = within_contract(method, truth, method.ask(query));
+  if (!takes(method, format)) answer = {refusal(Status::unsupported)};
+  return answer;
 }
 
-template <class P>
-Json evidence(const P& probe, const Triangle& t) {
-  const RationalKernel k;
-  const Point3& p = source(probe);
-  const auto& q = target(probe);
-  Json object;
-  object["abcp"] = value(k.orient3d(t.a, t.b, t.c, p));
-  object["abcq"] = value(k.orient3d(t.a, t.b, t.c, q));
-  object["pqab"] = value(k.orient3d(p, t.a, t.b, q));
-  object["pqbc"] = value(k.orient3d(p, t.b, t.c, q));
-  object["pqca"] = value(k.orient3d(p, t.c, t.a, q));
-  const HitParameter<Dyadic> at = parameter(probe, t);
-  if (sign_of(at.den) != Sign::zero) {
-    object["t"] = mpq_class(at.num.fraction() / at.den.fraction()).get_str();
+/// 1, 0, or null where the method does not take the operands.
+template <class C, class T>
+Json every_answer(const C& c, const T& truth) {
+  Json answers = Json::object();
+  for (const Method& method : all_methods()) {
+    const Answer answer = plain(answer_in_contract(method, c.format, c.query, truth));
+    answers[method.name] = answer.status == Status::ok ? Json(answer.hit ? 1 : 0) : Json();
   }
-  return object;
+  return answers;
 }
 
-std::string describe(const Truth& truth) {
-  std::string text = truth.hit() ? "hit (" + std::string(name_of(truth.contact)) + ")" : "no hit";
-  if (truth.class_id != 0) {
-    const ClassRow& row = class_row(truth.class_id);
-    text = class_name(truth.class_id) + ": " + text + "; triangle " + row.triangle + ", segment " + row.segment +
-           ", meet in: " + row.intersection;
-  }
-  return text;
+template <class C, class T>
+Json finding_of(const C& c, const Method& method, const T& truth, const Answer& answer) {
+  Json finding;
+  finding["method"] = method.name;
+  finding["answered"] = answer.hit ? 1 : 0;
+  finding["expected"] = counts_as_hit(truth.contact, method.convention) ? 1 : 0;
+  finding["convention"] = name_of(method.convention);
+  finding["exact"] = exact_evidence(c.query);
+  finding["answers"] = every_answer(c, truth);
+  finding["made_with"] = environment();
+  return finding;
 }
 
 std::string row(const std::string& a, const std::string& b, const std::string& c, const std::string& d) {
@@ -53,86 +52,73 @@ std::string row(const std::string& a, const std::string& b, const std::string& c
   return line;
 }
 
-std::string decimal(const Point3& p) {
-  char line[120];
-  std::snprintf(line, sizeof line, "%.17g, %.17g, %.17g", p.x, p.y, p.z);
-  return line;
+/// How one method did on a case, and whether that was wrong.
+template <class C, class T>
+std::string verdict_of(const Method& method, const C& c, const T& truth, bool& wrong) {
+  const auto given = method.ask(c.query);
+  const Answer answer = plain(given);
+  if (answer.status != Status::ok) return row(method.name, "-", "", std::string(name_of(answer.status)));
+  const auto says = [&](const char* verdict) {
+    return row(method.name, answer.hit ? "hit" : "no hit", std::string(name_of(answer.contact)), verdict);
+  };
+  if (!takes(method, c.format)) return says("not judged: operands are binary64");
+  const Judgement judgement = judge(method, truth, given);
+  wrong |= judgement == Judgement::wrong;
+  if (judgement == Judgement::unsupported) return says("not judged: outside its contract");
+  if (judgement == Judgement::wrong) return says("WRONG");
+  return says(answer.hit == truth.hit() ? "right" : "right by its convention (coplanar is a miss)");
 }
 
-std::string points_of(const Query& query) {
-  std::string text;
-  const auto add = [&](const char* name, const Point3& p) {
-    text += std::string("  ") + name + " = (" + decimal(p) + ")\n";
-  };
-  if (const auto* s = std::get_if<Segment>(&query.probe)) {
-    add("p", s->p);
-    add("q", s->q);
-  } else {
-    add("o", std::get<Ray>(query.probe).o);
-    add("d", std::get<Ray>(query.probe).d.v);
+template <class C>
+std::string replayed(const C& c, bool& wrong) {
+  const auto truth = exact_truth(c.query);
+  std::string text = c.id + "  (" + std::string(name_of(c.format)) + ")\n" + points_of(c.query);
+  text += "  exact " + exact_evidence(c.query).dump() + "\n  exact answer " + describe(truth) + "\n";
+  if (const std::string error = mistaken_claim(c, truth); !error.empty()) {
+    wrong = true;
+    text += "  THE FILE IS WRONG: " + error + "\n";
   }
-  add("a", query.triangle.a);
-  add("b", query.triangle.b);
-  add("c", query.triangle.c);
+  text += row("method", "answer", "contact", "verdict");
+  for (const Method& method : all_methods()) text += verdict_of(method, c, truth, wrong);
   return text;
 }
 
-std::string verdict_of(const Method& method, Format format, const Truth& truth, const Answer& answer, bool& wrong) {
-  if (answer.status != Status::ok) return std::string(name_of(answer.status));
-  if (!takes(method, format)) return "not judged: operands are binary64";
-  if (judge(method, truth, answer) == Judgement::wrong) {
-    wrong = true;
-    return "WRONG";
-  }
-  const bool by_convention = answer.hit != truth.hit();
-  return by_convention ? "right by its convention (coplanar is a miss)" : "right";
-}
-
-/// 1, 0, or null where the method does not take the operands.
-Json every_answer(const Query& query, Format format) {
-  Json answers = Json::object();
-  for (const Method& method : all_methods()) {
-    const Answer answer = takes(method, format) ? method.ask(query) : refusal(Status::unsupported);
-    answers[method.name] = answer.status == Status::ok ? Json(answer.hit ? 1 : 0) : Json();
-  }
-  return answers;
+template <class C, class T>
+std::string mistaken_expectation(const C& c, const T& truth) {
+  if (!c.expect || *c.expect == truth.hit()) return "";
+  return std::string("the case expects ") + (*c.expect ? "a hit" : "no hit") + ", the exact answer is " +
+         describe(truth);
 }
 
 }  // namespace
 
-Json exact_evidence(const Query& query) {
-  return std::visit([&](const auto& probe) { return evidence(probe, query.triangle); }, query.probe);
-}
-
-Json finding_of(const Method& method, const Query& query, Format format, const Truth& truth, const Answer& answer) {
-  Json finding;
-  finding["method"] = method.name;
-  finding["answered"] = answer.hit ? 1 : 0;
-  finding["expected"] = counts_as_hit(truth.contact, method.convention) ? 1 : 0;
-  finding["convention"] = name_of(method.convention);
-  finding["exact"] = exact_evidence(query);
-  finding["answers"] = every_answer(query, format);
-  finding["made_with"] = environment();
-  return finding;
-}
-
 Case with_finding(Case c, const Method& method, const Truth& truth, const Answer& answer) {
   c.expect = truth.hit();
   c.class_id = truth.class_id;
-  c.finding = finding_of(method, c.query, c.format, truth, answer);
+  c.finding = finding_of(c, method, truth, answer);
   return c;
 }
 
-Case to_counterexample(const Method& method, const Query& query, Format format, const std::string& source) {
-  Case c{.format = format, .query = shrink(method, query, format), .source = source};
-  c = with_finding(c, method, exact_truth(c.query), method.ask(c.query));
-  c.id = method.name + "-" + (c.class_id == 0 ? "ray" : class_name(c.class_id));
+PolygonCase with_finding(PolygonCase c, const Method& method, const PolygonTruth& truth, const PolygonAnswer& answer) {
+  c.expect = truth.hit();
+  c.finding = finding_of(c, method, truth, answer.answer);
   return c;
 }
 
-Case to_counterexample(const FuzzPlan& plan, const Finding& f) {
-  const Stream& stream = plan.streams[f.stream];
-  Case c = to_counterexample(plan.methods[f.method], f.trial.query, stream.format, "");
+template <class On>
+typename On::Case to_counterexample(const Method& method, const typename On::Query& query, Format format,
+                                    const std::string& source) {
+  typename On::Case c{.format = format, .query = shrink(method, query, format), .source = source};
+  const auto truth = exact_truth(c.query);
+  c = with_finding(c, method, truth, method.ask(c.query));
+  c.id = method.name + "-" + id_part(truth);
+  return c;
+}
+
+template <class On>
+typename On::Case to_counterexample(const BasicFuzzPlan<On>& plan, const BasicFinding<On>& f) {
+  const BasicStream<On>& stream = plan.streams[f.stream];
+  auto c = to_counterexample<On>(plan.methods[f.method], f.trial.query, stream.format, "");
   const std::string fmt(name_of(stream.format));
   c.id += "-" + std::string(stream.family->name) + "-" + fmt + "-" + std::to_string(f.k);
   c.finding["origin"] = {{"family", stream.family->name},
@@ -144,39 +130,34 @@ Case to_counterexample(const FuzzPlan& plan, const Finding& f) {
   return c;
 }
 
-std::string to_lines(const std::vector<Case>& cases) {
-  std::string lines;
-  for (const Case& c : cases) lines += from_case(c).dump() + "\n";
-  return lines;
+template <class C>
+C shrunk(C c, const Method& method) {
+  if (judge(method, exact_truth(c.query), method.ask(c.query)) != Judgement::wrong) {
+    throw Failure(Exit::bad_input, c.id + ": " + method.name + " answers it rightly, expected a counterexample");
+  }
+  c.query = shrink(method, c.query, c.format);
+  const Json origin = c.finding.is_object() ? c.finding.value("origin", Json()) : Json();
+  c = with_finding(c, method, exact_truth(c.query), method.ask(c.query));
+  if (!origin.is_null()) c.finding["origin"] = origin;
+  return c;
 }
+
+template Case to_counterexample<OnTriangles>(const Method&, const Query&, Format, const std::string&);
+template Case to_counterexample(const FuzzPlan&, const Finding&);
+template Case shrunk(Case, const Method&);
+template PolygonCase to_counterexample<OnPolygons>(const Method&, const PolygonQuery&, Format, const std::string&);
+template PolygonCase to_counterexample(const PolygonFuzzPlan&, const PolygonFinding&);
+template PolygonCase shrunk(PolygonCase, const Method&);
 
 std::string mistaken_claim(const Case& c, const Truth& truth) {
-  if (c.expect && *c.expect != truth.hit()) {
-    return std::string("the case expects ") + (*c.expect ? "a hit" : "no hit") + ", the exact answer is " +
-           describe(truth);
-  }
-  if (c.class_id != 0 && c.class_id != truth.class_id) {
-    return "the case claims " + class_name(c.class_id) + ", the exact answer is " + describe(truth);
-  }
-  return "";
+  const bool wrong_class = c.class_id != 0 && c.class_id != truth.class_id;
+  if (const std::string error = mistaken_expectation(c, truth); !error.empty() || !wrong_class) return error;
+  return "the case claims " + class_name(c.class_id) + ", the exact answer is " + describe(truth);
 }
 
-std::string replay(const Case& c, bool& wrong) {
-  const Truth truth = exact_truth(c.query);
-  std::string text = c.id + "  (" + std::string(name_of(c.format)) + ")\n" + points_of(c.query);
-  text += "  exact " + exact_evidence(c.query).dump() + "\n  exact answer " + describe(truth) + "\n";
-  if (const std::string error = mistaken_claim(c, truth); !error.empty()) {
-    wrong = true;
-    text += "  THE FILE IS WRONG: " + error + "\n";
-  }
-  text += row("method", "answer", "contact", "verdict");
-  for (const Method& method : all_methods()) {
-    const Answer answer = method.ask(c.query);
-    const std::string said = answer.status != Status::ok ? "-" : answer.hit ? "hit" : "no hit";
-    text += row(method.name, said, std::string(name_of(answer.contact)),
-                verdict_of(method, c.format, truth, answer, wrong));
-  }
-  return text;
-}
+std::string mistaken_claim(const PolygonCase& c, const PolygonTruth& truth) { return mistaken_expectation(c, truth); }
+
+std::string replay(const Case& c, bool& wrong) { return replayed(c, wrong); }
+std::string replay(const PolygonCase& c, bool& wrong) { return replayed(c, wrong); }
 
 }  // namespace tribunal

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
-#include "exact/harness/fuzz.h"
-#include "exact/io/case_io.h"
+#include "exact/polygon/fuzz.h"
 
 namespace tribunal {
 
@@ -14,28 +14,44 @@ namespace tribunal {
 /// multiples of d; absent if it is parallel.
 Json exact_evidence(const Query& query);
 
-/// What a counterexample says of a method: its answer, the answer due by its convention, the exact evidence, every
-/// method's answer (null where operands or contract do not fit) and what it was made with.
-Json finding_of(const Method& method, const Query& query, Format format, const Truth& truth, const Answer& answer);
+/// Of a polygon: the exact `contact` and `planar`.
+Json exact_evidence(const PolygonQuery& query);
 
-/// The finding, shrunk, as a case with a "finding" that adds the family, seed, case number and stress level it came
-/// from.
-Case to_counterexample(const FuzzPlan& plan, const Finding& finding);
+/// The case with the exact answer, and with a "finding" that says what the method answered, the answer due by its
+/// convention, the exact evidence, every method's answer (null where operands or contract do not fit) and what it was
+/// made with.
+Case with_finding(Case c, const Method& method, const Truth& truth, const Answer& answer);
+PolygonCase with_finding(PolygonCase c, const Method& method, const PolygonTruth& truth, const PolygonAnswer& answer);
 
 /// The query, shrunk, likewise; `source` says where it came from.
-Case to_counterexample(const Method& method, const Query& query, Format format, const std::string& source);
+template <class On>
+typename On::Case to_counterexample(const Method& method, const typename On::Query& query, Format format,
+                                    const std::string& source);
 
-/// A case of the user's that the method answered wrongly, as it is.
-Case with_finding(Case c, const Method& method, const Truth& truth, const Answer& answer);
+/// The finding, shrunk, likewise; its origin is the family, seed, case number and stress level it came from.
+template <class On>
+typename On::Case to_counterexample(const BasicFuzzPlan<On>& plan, const BasicFinding<On>& finding);
+
+/// The case, shrunk, with its finding made anew; its origin stays. Fails with Exit::bad_input if the method answers it
+/// rightly.
+template <class C>
+C shrunk(C c, const Method& method);
 
 /// One JSON line each.
-std::string to_lines(const std::vector<Case>& cases);
+template <class C>
+std::string to_lines(const std::vector<C>& cases) {
+  std::string lines;
+  for (const C& c : cases) lines += from_case(c).dump() + "\n";
+  return lines;
+}
 
 /// What a case's own "expect" or "class" has wrong, or nothing.
 std::string mistaken_claim(const Case& c, const Truth& truth);
+std::string mistaken_claim(const PolygonCase& c, const PolygonTruth& truth);
 
 /// What `replay` prints of a case: points, evidence, exact answer and every method's. Sets `wrong` if some method
 /// that takes the case answers wrongly, or the case claims something false of itself.
 std::string replay(const Case& c, bool& wrong);
+std::string replay(const PolygonCase& c, bool& wrong);
 
 }  // namespace tribunal

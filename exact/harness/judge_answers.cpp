@@ -13,41 +13,44 @@
 namespace tribunal {
 namespace {
 
-std::vector<Truth> exact_truths(const std::vector<Case>& cases, unsigned threads) {
+/// Fails where a case claims something false of itself.
+template <class On>
+void answer_exactly(ExamPart<On>& part, const std::string& path, unsigned threads, Progress& progress) {
   constexpr std::size_t block_size = 256;
-  std::vector<Truth> truths(cases.size());
-  Progress progress("judge", "cases", cases.size());
+  part.truths.resize(part.cases.size());
   const auto work = [&](std::size_t block, unsigned) {
-    const std::size_t begin = block * block_size, end = std::min(cases.size(), begin + block_size);
-    for (std::size_t i = begin; i < end; ++i) truths[i] = exact_truth(cases[i].query);
+    const std::size_t begin = block * block_size, end = std::min(part.cases.size(), begin + block_size);
+    for (std::size_t i = begin; i < end; ++i) part.truths[i] = exact_truth(part.cases[i].query);
     progress.add(end - begin, 0);
   };
-  run_blocks((cases.size() + block_size - 1) / block_size, threads, work, {});
+  run_blocks((part.cases.size() + block_size - 1) / block_size, threads, work, {});
   if (interrupted() != 0) throw Failure(static_cast<Exit>(128 + interrupted()), "interrupted; nothing was judged");
-  return truths;
+  for (std::size_t i = 0; i < part.cases.size(); ++i) {
+    const std::string error = mistaken_claim(part.cases[i], part.truths[i]);
+    if (!error.empty()) throw bad_input(path, 0, part.cases[i].id + ": " + error);
+  }
 }
 
-using Places = std::unordered_map<std::string, std::size_t>;
-
-Places places_of(const std::vector<Case>& cases) {
-  Places places;
-  for (std::size_t i = 0; i < cases.size(); ++i) places.emplace(cases[i].id, i);
-  return places;
-}
+void file(Exam& exam, const Case& c) { exam.triangles.cases.push_back(c); }
+void file(Exam& exam, const PolygonCase& c) { exam.polygons.cases.push_back(c); }
 
 /// Reads the cases, refusing a second one of the same id at its line.
-std::vector<Case> read_distinct_cases(const std::string& path) {
-  std::vector<Case> cases;
+Exam read_distinct_cases(const std::string& path) {
+  Exam exam;
   std::unordered_map<std::string, std::size_t> lines;
   for_each_line(path, [&](const Json& object, const Where& where) {
-    cases.push_back(to_case(object, where));
-    const auto [first, fresh] = lines.emplace(cases.back().id, where.line);
+    const AnyCase any = to_any_case(object, where);
+    std::visit([&](const auto& c) { file(exam, c); }, any);
+    auto& places = std::holds_alternative<Case>(any) ? exam.triangles.places : exam.polygons.places;
+    places.push_back(exam.ids.size());
+    exam.ids.push_back(std::visit([](const auto& c) { return c.id; }, any));
+    const auto [first, fresh] = lines.emplace(exam.ids.back(), where.line);
     if (fresh) return;
     where.fail("id \"" + first->first + "\" again, it was on line " + std::to_string(first->second) +
                "; expected one case an id");
   });
-  if (cases.empty()) throw bad_input(path, 0, "holds no cases, expected one JSON object a line");
-  return cases;
+  if (exam.ids.empty()) throw bad_input(path, 0, "holds no cases, expected one JSON object a line");
+  return exam;
 }
 
 // --- answer lines --------------------------------------------------------------------------------------------------
@@ -85,7 +88,9 @@ Answer to_answer(const Json& object, const Where& where) {
 /// Sheets as they fill.
 class Sheets {
  public:
-  explicit Sheets(const std::vector<Case>& cases) : cases_(cases), places_(places_of(cases)) {}
+  explicit Sheets(const std::vector<std::string>& ids) : ids_(ids) {
+    for (std::size_t i = 0; i < ids.size(); ++i) places_.emplace(ids[i], i);
+  }
 
   void add(const Json& object, const Where& where) {
     const Answer answer = to_answer(object, where);
@@ -115,41 +120,39 @@ class Sheets {
     for (Sheet& s : sheets_) {
       if (s.method == method) return s;
     }
-    return sheets_.emplace_back(Sheet{method, std::vector<std::optional<Answer>>(cases_.size())});
+    return sheets_.emplace_back(Sheet{method, std::vector<std::optional<Answer>>(ids_.size())});
   }
 
   std::vector<Answer> complete(const Sheet& sheet, const std::string& path) const {
     std::vector<Answer> answers;
     std::size_t missing = 0, first = 0;
-    for (std::size_t i = 0; i < cases_.size(); ++i) {
+    for (std::size_t i = 0; i < ids_.size(); ++i) {
       if (!sheet.answers[i] && missing++ == 0) first = i;
       answers.push_back(sheet.answers[i].value_or(miss()));
     }
     if (missing == 0) return answers;
     throw bad_input(path, 0,
-                    std::to_string(missing) + " of " + std::to_string(cases_.size()) + " answers of " + sheet.method +
-                        " are missing, the first to \"" + cases_[first].id + "\"; expected one for each case");
+                    std::to_string(missing) + " of " + std::to_string(ids_.size()) + " answers of " + sheet.method +
+                        " are missing, the first to \"" + ids_[first] + "\"; expected one for each case");
   }
 
-  const std::vector<Case>& cases_;
-  Places places_;
+  const std::vector<std::string>& ids_;
+  std::unordered_map<std::string, std::size_t> places_;
   std::vector<Sheet> sheets_;
 };
 
 }  // namespace
 
 Exam read_exam(const std::string& path, unsigned threads) {
-  Exam exam{read_distinct_cases(path), {}};
-  exam.truths = exact_truths(exam.cases, threads);
-  for (std::size_t i = 0; i < exam.cases.size(); ++i) {
-    const std::string error = mistaken_claim(exam.cases[i], exam.truths[i]);
-    if (!error.empty()) throw bad_input(path, 0, exam.cases[i].id + ": " + error);
-  }
+  Exam exam = read_distinct_cases(path);
+  Progress progress("judge", "cases", exam.ids.size());
+  answer_exactly(exam.triangles, path, threads, progress);
+  answer_exactly(exam.polygons, path, threads, progress);
   return exam;
 }
 
-std::vector<AnswerSheet> read_answers(const std::string& path, const std::vector<Case>& cases) {
-  Sheets sheets(cases);
+std::vector<AnswerSheet> read_answers(const std::string& path, const std::vector<std::string>& ids) {
+  Sheets sheets(ids);
   for_each_line(path, [&](const Json& object, const Where& where) { sheets.add(object, where); });
   return sheets.complete(path);
 }

@@ -55,14 +55,25 @@ Json from_case(const PolygonCase& c) {
   return object;
 }
 
+AnyCase to_any_case(const Json& object, const Where& where) {
+  if (object.is_object() && object.contains("rings")) return to_polygon_case(object, where);
+  return to_case(object, where);
+}
+
 std::vector<AnyCase> read_any_cases(const std::string& path) {
   std::vector<AnyCase> cases;
+  for_each_line(path, [&](const Json& object, const Where& where) { cases.push_back(to_any_case(object, where)); });
+  if (cases.empty()) throw bad_input(path, 0, "holds no cases, expected one JSON object a line");
+  return cases;
+}
+
+std::vector<PolygonCase> read_polygon_cases(const std::string& path) {
+  std::vector<PolygonCase> cases;
   for_each_line(path, [&](const Json& object, const Where& where) {
-    if (object.is_object() && object.contains("rings")) {
-      cases.emplace_back(to_polygon_case(object, where));
-    } else {
-      cases.emplace_back(to_case(object, where));
+    if (object.is_object() && object.contains("tri") && !object.contains("rings")) {
+      where.key("tri").fail("polygons are certified apart from triangles, expected \"rings\"");
     }
+    cases.push_back(to_polygon_case(object, where));
   });
   if (cases.empty()) throw bad_input(path, 0, "holds no cases, expected one JSON object a line");
   return cases;

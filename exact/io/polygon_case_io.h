@@ -28,8 +28,14 @@ PolygonCase to_polygon_case(const Json& object, const Where& where);
 
 Json from_case(const PolygonCase& c);
 
+/// By its "rings" or "tri".
+AnyCase to_any_case(const Json& object, const Where& where);
+
 /// As read_cases, but with polygons too.
 std::vector<AnyCase> read_any_cases(const std::string& path);
+
+/// Every line must have "rings".
+std::vector<PolygonCase> read_polygon_cases(const std::string& path);
 
 /// With "planar".
 Json from_answer(const std::string& id, const Method& method, const PolygonAnswer& answer);

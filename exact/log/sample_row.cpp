@@ -1,17 +1,14 @@
 #include "exact/log/sample_row.h"
 
-#include <map>
-#include <tuple>
+#include <array>
 
 namespace tribunal {
 namespace {
 
-std::string slot_name(std::size_t id) { return id == 0 ? "ray" : class_name(static_cast<ClassId>(id)); }
-
-std::size_t slot_named(const std::string& name, const Where& where) {
-  const ClassId id = class_named(name);
-  if (id == 0 && name != "ray") where.fail("expected a class C001 to C163 or \"ray\", found \"" + name + "\"");
-  return id;
+Slot to_slot(const std::string& name, const Where& where) {
+  const std::optional<Slot> slot = slot_named(name);
+  if (!slot) where.fail("expected a class C001 to C163, \"ray\" or a kind of polygon case, found \"" + name + "\"");
+  return *slot;
 }
 
 std::array<std::uint64_t, 6> numbers_of(const Count& c) {
@@ -22,26 +19,8 @@ std::array<std::uint64_t, 6> numbers_of(const Count& c) {
 
 Count total_of(const SampleRow& row) {
   Count total;
-  for (const Count& count : row.counts) total += count;
+  for (const auto& [slot, count] : row.counts) total += count;
   return total;
-}
-
-std::vector<SampleRow> rows_of(const FuzzPlan& plan, const FuzzReport& report) {
-  std::map<std::tuple<std::size_t, std::size_t, std::size_t>, SampleRow> rows;
-  report.counts.for_each([&](const Cell& cell, const Count& count) {
-    if (count.asked == 0) return;
-    const Stream& stream = plan.streams[cell.stream];
-    SampleRow& row = rows[{cell.method, cell.stream, cell.level}];
-    row.method = plan.methods[cell.method].name;
-    row.family = stream.family->name;
-    row.format = stream.format;
-    row.level = cell.level;
-    row.stress = stream.family->levels(stream.format)[cell.level];
-    row.counts[cell.class_id] = count;
-  });
-  std::vector<SampleRow> list;
-  for (auto& [key, row] : rows) list.push_back(std::move(row));
-  return list;
 }
 
 Json to_array(const Count& count) {
@@ -69,9 +48,7 @@ Count to_count(const Json& array, const Where& where) {
 
 Json to_record(const SampleRow& row) {
   Json counts = Json::object();
-  for (std::size_t id = 0; id < row.counts.size(); ++id) {
-    if (row.counts[id].asked > 0) counts[slot_name(id)] = to_array(row.counts[id]);
-  }
+  for (const auto& [slot, count] : row.counts) counts[slot_name(slot)] = to_array(count);
   return {{"record", "sample"}, {"method", row.method}, {"family", row.family}, {"fmt", name_of(row.format)},
           {"level", row.level}, {"stress", row.stress}, {"counts", counts}};
 }
@@ -111,7 +88,7 @@ SampleRow to_sample_row(const Json& record, const Where& where) {
   if (!stress.is_number_integer()) where.key("stress").fail("expected an integer");
   row.stress = stress;
   for (const auto& item : require(record, "counts", where).items()) {
-    row.counts[slot_named(item.key(), where)] = to_count(item.value(), where.key(item.key()));
+    row.counts[to_slot(item.key(), where)] = to_count(item.value(), where.key(item.key()));
   }
   return row;
 }

@@ -1,29 +1,46 @@
 // Counts by class as records of a log: what checkpoints and certificates are made of.
 #pragma once
 
-#include <array>
+#include <map>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
-#include "exact/classes/class_table.h"
 #include "exact/harness/fuzz.h"
 #include "exact/io/json.h"
 
 namespace tribunal {
 
-/// Counts of one method in one stream at one level of its stress axis. Index 0 holds rays, which have no class.
+/// Counts of one method in one stream at one level of its stress axis.
 struct SampleRow {
   std::string method, family;
   Format format = Format::binary64;
   std::size_t level = 0;
-  int stress = 0;  ///< the level's value on the stress axis
-  std::array<Count, class_count + 1> counts{};
+  int stress = 0;                  ///< the level's value on the stress axis
+  std::map<Slot, Count> counts{};  ///< where something was asked
 };
 
 Count total_of(const SampleRow& row);
 
 /// All rows of a report in which anything was asked, in the plan's order.
-std::vector<SampleRow> rows_of(const FuzzPlan& plan, const FuzzReport& report);
+template <class On>
+std::vector<SampleRow> rows_of(const BasicFuzzPlan<On>& plan, const BasicFuzzReport<On>& report) {
+  std::map<std::tuple<std::size_t, std::size_t, std::size_t>, SampleRow> rows;
+  report.counts.for_each([&](const Cell& cell, const Count& count) {
+    const BasicStream<On>& stream = plan.streams[cell.stream];
+    SampleRow& row = rows[{cell.method, cell.stream, cell.level}];
+    row.method = plan.methods[cell.method].name;
+    row.family = stream.family->name;
+    row.format = stream.format;
+    row.level = cell.level;
+    row.stress = stream.family->levels(stream.format)[cell.level];
+    row.counts[cell.slot] = count;
+  });
+  std::vector<SampleRow> list;
+  for (auto& [key, row] : rows) list.push_back(std::move(row));
+  return list;
+}
 
 /// The record "sample". A count is [asked, wrong, unsupported, filter, expansion, exact] without trailing zeros; what
 /// no stage answered came from a method without stages.

@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <utility>
 
 #include "exact/harness/fp_environment.h"
@@ -18,6 +19,7 @@ namespace tribunal {
 namespace {
 
 constexpr const char* entry_point = "tribunal_plugin_describe";
+constexpr const char* polygon_entry_point = "tribunal_plugin_describe_polygons";
 
 /// dlopen searches the system for a name without a slash; we mean the file.
 std::string as_path(const std::string& file) { return file.find('/') == std::string::npos ? "./" + file : file; }
@@ -41,20 +43,28 @@ void* load_library(const std::string& file) {
   throw bad_input(file, 0, "cannot be loaded as a shared library: " + why_not_loaded(path));
 }
 
+/// The description that the library exports under the name; nothing if it exports none.
+template <class D>
+std::optional<const D*> described_by(void* library, const char* name, const std::string& file) {
+  const auto describe = reinterpret_cast<const D* (*)()>(dlsym(library, name));
+  if (describe == nullptr) return std::nullopt;
+  const D* const description = describe();
+  require_exact_rounding();  // whatever the library did as it was loaded and asked
+  if (description == nullptr) throw bad_input(file, 0, std::string(name) + " returned NULL");
+  return description;
+}
+
 }  // namespace
 
 std::string load_plugin(const std::string& file) {
   require_file(file);
   void* const library = load_library(file);
-  using Describe = const tribunal_plugin*();
-  const auto describe = reinterpret_cast<Describe*>(dlsym(library, entry_point));
-  if (describe == nullptr) {
+  const auto plugin = described_by<tribunal_plugin>(library, entry_point, file);
+  if (!plugin) {
     throw bad_input(file, 0, std::string("does not export ") + entry_point + ", expected a plugin (tribunal_plugin.h)");
   }
-  const tribunal_plugin* const plugin = describe();
-  require_exact_rounding();  // whatever the library did as it was loaded and asked
-  if (plugin == nullptr) throw bad_input(file, 0, std::string(entry_point) + " returned NULL");
-  Method method = plugin_method(*plugin, file);
+  const auto polygons = described_by<tribunal_polygon_plugin>(library, polygon_entry_point, file);
+  Method method = plugin_method(**plugin, file, polygons.value_or(nullptr));
   const std::string name = method.name;
   if (find_method(name) != nullptr) {
     throw Failure(Exit::usage, file + ": there is a method called " + name + " already, expected a name of its own");

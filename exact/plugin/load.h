@@ -21,6 +21,9 @@ std::string load_plugin(const std::string& file);
 /// The method fails with Exit::bad_input when the plugin gives an answer that is none, and with Exit::fp_environment
 /// when it changes the floating-point environment: the judges run on the same thread. Coordinates beyond binary32
 /// that would round to infinity are outside a binary32 plugin's contract.
-Method plugin_method(const tribunal_plugin& plugin, const std::string& file);
+///
+/// `polygons` is the description of its polygon test, or nullptr if it has none.
+Method plugin_method(const tribunal_plugin& plugin, const std::string& file,
+                     const tribunal_polygon_plugin* polygons = nullptr);
 
 }  // namespace tribunal

@@ -2,12 +2,15 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <memory>
 #include <utility>
 #include <vector>
 
 #include "exact/harness/fp_environment.h"
 #include "exact/io/failure.h"
 #include "exact/io/json.h"
+#include "exact/kernels/dyadic.h"
+#include "exact/oracles/polygon_oracles.h"
 #include "exact/plugin/load.h"
 
 namespace tribunal {
@@ -77,6 +80,17 @@ void require_abi(int abi, const std::string& file) {
                       std::to_string(TRIBUNAL_PLUGIN_ABI));
 }
 
+PolygonPromise promise_from(int restrictions, const std::string& file) {
+  constexpr int all = TRIBUNAL_PLANAR_ONLY | TRIBUNAL_NO_BOUNDARY;
+  if ((restrictions & ~all) != 0) {
+    throw bad_input(file, 0,
+                    "restrictions is " + std::to_string(restrictions) +
+                        ", expected 0 or a sum of TRIBUNAL_PLANAR_ONLY and TRIBUNAL_NO_BOUNDARY");
+  }
+  return {.boundary = (restrictions & TRIBUNAL_NO_BOUNDARY) == 0,
+          .surface = (restrictions & TRIBUNAL_PLANAR_ONLY) == 0};
+}
+
 // --- queries and answers across the interface ---------------------------------------------------------------------
 
 using Coordinates = std::array<double, 15>;
@@ -100,23 +114,45 @@ Coordinates coordinates_of(const P& probe, const Triangle& t, Format format) {
   return x;
 }
 
-bool is_finite(const Coordinates& x) {
+template <class X>
+bool is_finite(const X& x) {
   return std::all_of(x.begin(), x.end(), [](double c) { return std::isfinite(c); });
 }
 
-/// One plugin's functions with what every call of them needs.
+/// What every call of a plugin needs.
+struct Line {
+  Format format;
+  std::string file;
+
+  Answer answer_from(int said) const {
+    if (said == TRIBUNAL_MISS) return miss();
+    if (said == TRIBUNAL_HIT) return hit_at(Contact::unsaid);
+    if (said == TRIBUNAL_UNSUPPORTED) return refusal(Status::unsupported);
+    throw bad_input(
+        file, 0, "answered " + std::to_string(said) + ", expected TRIBUNAL_MISS, TRIBUNAL_HIT or TRIBUNAL_UNSUPPORTED");
+  }
+
+  void require_same_environment() const {
+    if (has_exact_rounding()) return;
+    require_exact_rounding();  // for what remains to be done: CGAL aborts at exit if it finds another mode
+    throw Failure(Exit::fp_environment, file + ": changed the rounding mode or flushes to zero");
+  }
+};
+
+/// One plugin's functions for triangles. Without them nothing is supported.
 class Caller {
  public:
-  Caller(const tribunal_plugin& plugin, Format format, std::string file)
-      : ask_(plugin.ask), ask_batch_(plugin.ask_batch), format_(format), file_(std::move(file)) {}
+  Caller(const tribunal_plugin& plugin, Line line)
+      : ask_(plugin.ask), ask_batch_(plugin.ask_batch), line_(std::move(line)) {}
 
   template <class P>
   Answer ask(const P& probe, const Triangle& t) const {
-    const Coordinates x = coordinates_of(probe, t, format_);
+    if (ask_ == nullptr) return refusal(Status::unsupported);
+    const Coordinates x = coordinates_of(probe, t, line_.format);
     if (!is_finite(x)) return refusal(Status::unsupported);
     const int said = ask_(kind_of(probe), x.data());
-    require_same_environment();
-    return answer_from(said);
+    line_.require_same_environment();
+    return line_.answer_from(said);
   }
 
   void ask_all(std::span<const Query> queries, std::span<Answer> answers) const {
@@ -131,7 +167,7 @@ class Caller {
     std::vector<std::size_t> places;
     for (std::size_t i = 0; i < queries.size(); ++i) {
       if (kind_of(queries[i]) != kind) continue;
-      const auto coordinates_here = [&](const auto& p) { return coordinates_of(p, queries[i].triangle, format_); };
+      const auto coordinates_here = [&](const auto& p) { return coordinates_of(p, queries[i].triangle, line_.format); };
       const Coordinates x = std::visit(coordinates_here, queries[i].probe);
       answers[i] = refusal(Status::unsupported);
       if (!is_finite(x)) continue;
@@ -141,36 +177,66 @@ class Caller {
     if (packed.empty()) return;
     std::vector<int> said(packed.size(), not_answered);
     ask_batch_(kind, packed.size(), packed.front().data(), said.data());
-    require_same_environment();
-    for (std::size_t i = 0; i < said.size(); ++i) answers[places[i]] = answer_from(said[i]);
-  }
-
-  Answer answer_from(int said) const {
-    if (said == TRIBUNAL_MISS) return miss();
-    if (said == TRIBUNAL_HIT) return hit_at(Contact::unsaid);
-    if (said == TRIBUNAL_UNSUPPORTED) return refusal(Status::unsupported);
-    throw bad_input(
-        file_, 0,
-        "answered " + std::to_string(said) + ", expected TRIBUNAL_MISS, TRIBUNAL_HIT or TRIBUNAL_UNSUPPORTED");
-  }
-
-  void require_same_environment() const {
-    if (has_exact_rounding()) return;
-    require_exact_rounding();  // for what remains to be done: CGAL aborts at exit if it finds another mode
-    throw Failure(Exit::fp_environment, file_ + ": changed the rounding mode or flushes to zero");
+    line_.require_same_environment();
+    for (std::size_t i = 0; i < said.size(); ++i) answers[places[i]] = line_.answer_from(said[i]);
   }
 
   tribunal_ask* ask_;
   tribunal_ask_batch* ask_batch_;
-  Format format_;
-  std::string file_;
+  Line line_;
 };
+
+/// A polygon as its plugin sees it.
+class PolygonCaller {
+ public:
+  PolygonCaller(const Polygon& polygon, tribunal_ask_polygon* function, Line line)
+      : ends_(polygon.ends.begin(), polygon.ends.end()),
+        planar_(is_planar_by_normal<Dyadic>(polygon)),
+        ask_(function),
+        line_(std::move(line)) {
+    for (const Point3& v : polygon.vertices) add(vertices_, v);
+  }
+
+  template <class P>
+  PolygonAnswer ask(const P& probe) const {
+    std::vector<double> x;
+    add(x, source(probe));
+    add(x, coordinates(target(probe)));
+    if (!is_finite(x) || !is_finite(vertices_)) return {.answer = refusal(Status::unsupported)};
+    const tribunal_polygon polygon = {ends_.size(), ends_.data(), vertices_.data()};
+    const int said = ask_(kind_of(probe), x.data(), &polygon);
+    line_.require_same_environment();
+    return {line_.answer_from(said), planar_};
+  }
+
+ private:
+  void add(std::vector<double>& x, const Point3& point) const {
+    for (int axis = 0; axis < 3; ++axis) x.push_back(in_format(point[axis], line_.format));
+  }
+
+  std::vector<std::size_t> ends_;
+  bool planar_;  ///< decided here: a plugin is asked for hits only
+  std::vector<double> vertices_{};
+  tribunal_ask_polygon* ask_;
+  Line line_;
+};
+
+void add_polygons(Method& method, const tribunal_polygon_plugin& polygons, const Line& line) {
+  require_abi(polygons.abi, line.file);
+  if (polygons.ask == nullptr) throw bad_input(line.file, 0, "ask of polygons is NULL, expected a function");
+  method.polygon_promise = promise_from(polygons.restrictions, line.file);
+  method.polygon = [ask = polygons.ask, line](const Polygon& polygon) -> PreparedPolygon {
+    const auto caller = std::make_shared<const PolygonCaller>(polygon, ask, line);
+    return {.segment = [caller](const Segment& s) { return caller->ask(s); },
+            .ray = [caller](const Ray& r) { return caller->ask(r); }};
+  };
+}
 
 static_assert(sizeof(Coordinates) == 15 * sizeof(double), "a batch is a plain array of coordinates");
 
 }  // namespace
 
-Method plugin_method(const tribunal_plugin& plugin, const std::string& file) {
+Method plugin_method(const tribunal_plugin& plugin, const std::string& file, const tribunal_polygon_plugin* polygons) {
   require_abi(plugin.abi, file);
   const Format format = format_from(plugin.format, file);
   Method method{.name = name_from(plugin.name, file),
@@ -184,11 +250,12 @@ Method plugin_method(const tribunal_plugin& plugin, const std::string& file) {
                 .ray = {},
                 .classify = {},
                 .compare_hits = {}};
-  if (plugin.ask == nullptr) throw bad_input(file, 0, "ask is NULL, expected a function");
-  const Caller caller(plugin, format, file);
+  if (plugin.ask == nullptr && polygons == nullptr) throw bad_input(file, 0, "ask is NULL, expected a function");
+  if (polygons != nullptr) add_polygons(method, *polygons, {format, file});
+  const Caller caller(plugin, {format, file});
   method.segment = [caller](const Segment& s, const Triangle& t) { return caller.ask(s, t); };
   method.ray = [caller](const Ray& r, const Triangle& t) { return caller.ask(r, t); };
-  if (plugin.ask_batch != nullptr) {
+  if (plugin.ask != nullptr && plugin.ask_batch != nullptr) {
     method.batch = [caller](std::span<const Query> queries, std::span<Answer> answers) {
       caller.ask_all(queries, answers);
     };

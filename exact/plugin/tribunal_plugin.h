@@ -2,7 +2,7 @@
  * C99 and C++; needs nothing else of Tribunal. docs/bring-your-own.md is the guide, docs/examples/ has an example.
  *
  * The library exports one function, tribunal_plugin_describe. The program calls it once, copies the strings, and from
- * then on knows the test as a method of that name.
+ * then on knows the test as a method of that name. A second one, for polygons, is optional.
  *
  * Promises of the program
  *   - Coordinates are finite: NaN and infinities never reach a plugin.
@@ -58,15 +58,47 @@ typedef struct tribunal_plugin {
   const char* reference;         /* where it was published, or NULL */
   int format;                    /* TRIBUNAL_BINARY32 or TRIBUNAL_BINARY64 */
   int convention;                /* TRIBUNAL_CLOSED or TRIBUNAL_TRANSVERSAL */
-  tribunal_ask* ask;             /* required */
+  tribunal_ask* ask;             /* required, but for a test that takes polygons only */
   tribunal_ask_batch* ask_batch; /* or NULL */
 } tribunal_plugin;
 
+/* Polygons, if the test takes them: a second, optional function, tribunal_plugin_describe_polygons. A library without
+ * it has a test of triangles only; one with it may have `ask` NULL in the first description, and then takes polygons
+ * only. Name, format and convention are those of the first description; so are the promises above.
+ *
+ * A polygon is an outer ring and holes, one after the other: ring r has the vertices ends[r-1] (0 for r = 0) up to
+ * ends[r], without repeating its first vertex at the end. There is at least one ring, and each has at least one vertex.
+ * Rings may be concave, touch, cross, repeat vertices or have no area, and run either way. If all vertices lie in one
+ * plane, the polygon is the closed even-odd region of all rings together with all ring edges; otherwise the surface of
+ * docs/polygons.md. */
+typedef struct tribunal_polygon {
+  size_t rings;
+  const size_t* ends;     /* rings of them; ends[rings - 1] is the number of vertices */
+  const double* vertices; /* x, y, z each */
+} tribunal_polygon;
+
+/* Six coordinates of the probe: p, q of a segment, or o, d of a ray. */
+typedef int tribunal_ask_polygon(int probe, const double coordinates[6], const tribunal_polygon* polygon);
+
+/* What the test promises of polygons, beside its convention; a sum of these. Where it promises nothing it is not
+ * judged. PLANAR_ONLY: nothing of polygons whose vertices do not lie in one plane exactly. NO_BOUNDARY: nothing where
+ * the probe meets a ring edge. */
+enum { TRIBUNAL_PLANAR_ONLY = 1, TRIBUNAL_NO_BOUNDARY = 2 };
+
+typedef struct tribunal_polygon_plugin {
+  int abi;                   /* TRIBUNAL_PLUGIN_ABI */
+  int restrictions;          /* 0, or a sum of those above */
+  tribunal_ask_polygon* ask; /* required */
+} tribunal_polygon_plugin;
+
 #if defined(__GNUC__)
-__attribute__((visibility("default")))
+#define TRIBUNAL_EXPORT __attribute__((visibility("default")))
+#else
+#define TRIBUNAL_EXPORT
 #endif
-const tribunal_plugin*
-tribunal_plugin_describe(void);
+
+TRIBUNAL_EXPORT const tribunal_plugin* tribunal_plugin_describe(void);
+TRIBUNAL_EXPORT const tribunal_polygon_plugin* tribunal_plugin_describe_polygons(void); /* optional */
 
 #ifdef __cplusplus
 }

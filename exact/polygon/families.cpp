@@ -85,10 +85,16 @@ Segment draw_piercing(Draw& draw, const AffineMap& map, const PlanePoint& x, App
   return approach == Approach::from ? Segment{at, far_end} : Segment{near_end, at};
 }
 
-/// The shapes, places and approaches in turn. A place that the shape does not have gives way to the next that it has.
-Known known_of(std::uint64_t k) {
+/// Cases after which shapes and places repeat, and `levels` times as many after which levels do.
+constexpr std::uint64_t round_size = shape_count * place_count;
+
+std::size_t level_of(std::uint64_t k, std::size_t levels) { return k / round_size % levels; }
+
+/// The shapes, places and approaches in turn; each pair of the first two meets every approach at every level within
+/// three rounds of levels. A place that the shape does not have gives way to the next that it has.
+Known known_of(std::uint64_t k, std::size_t levels) {
   Known known{k % shape_count, static_cast<PolygonPlace>(k / shape_count % place_count),
-              static_cast<Approach>(k % approach_count)};
+              static_cast<Approach>((k + k / (round_size * levels)) % approach_count)};
   const Places& places = places_of(all_shapes()[known.shape]);
   auto place = static_cast<std::size_t>(known.place);
   while (places[place].empty()) place = (place + 1) % place_count;
@@ -96,8 +102,8 @@ Known known_of(std::uint64_t k) {
   return known;
 }
 
-PolygonTrial affine_trial(Format format, Draw& draw, std::uint64_t k, const AffineMap& map, std::size_t level) {
-  const Known known = known_of(k);
+PolygonTrial affine_trial(Format format, Draw& draw, std::uint64_t k, const AffineMap& map, std::size_t levels) {
+  const Known known = known_of(k, levels);
   const Shape& shape = all_shapes()[known.shape];
   const auto& candidates = places_of(shape)[static_cast<std::size_t>(known.place)];
   const PlanePoint x = candidates[draw.below(candidates.size())];
@@ -105,32 +111,32 @@ PolygonTrial affine_trial(Format format, Draw& draw, std::uint64_t k, const Affi
   const Probe probe = draw_probe(draw, format, s);
   return {.query = {probe, image(map, shape.rings)},
           .format = format,
-          .level = static_cast<std::uint16_t>(level),
+          .level = static_cast<std::uint16_t>(level_of(k, levels)),
           .known = known};
 }
 
 PolygonTrial make_affine(Format format, std::uint64_t seed, std::uint64_t k) {
   Draw draw(101, seed, k);
-  const std::size_t level = k / (shape_count * place_count) % fills(format).size();
-  const AffineMap map = draw_polygon_map(draw, format, fills(format)[level]);
-  return affine_trial(format, draw, k, map, level);
+  const std::size_t levels = fills(format).size();
+  const AffineMap map = draw_polygon_map(draw, format, fills(format)[level_of(k, levels)]);
+  return affine_trial(format, draw, k, map, levels);
 }
 
 PolygonTrial make_scale(Format format, std::uint64_t seed, std::uint64_t k) {
   Draw draw(102, seed, k);
-  const std::size_t level = k / (shape_count * place_count) % scales(format).size();
+  const std::size_t levels = scales(format).size();
   AffineMap map = draw_map(draw, 0);
   const bool per_axis = draw.below(2) == 0;
-  for (int& s : map.scale) s = scales(format)[per_axis ? draw.below(scales(format).size()) : level];
-  return affine_trial(format, draw, k, map, level);
+  for (int& s : map.scale) s = scales(format)[per_axis ? draw.below(levels) : level_of(k, levels)];
+  return affine_trial(format, draw, k, map, levels);
 }
 
 PolygonTrial make_ulp(Format format, std::uint64_t seed, std::uint64_t k) {
   Draw draw(103, seed, k);
-  const std::size_t level = k / (shape_count * place_count) % ulp_levels(format).size();
+  const std::size_t levels = ulp_levels(format).size();
   const int bits = fills(format)[draw.below(fills(format).size())];
   const AffineMap map = draw_polygon_map(draw, format, bits);
-  PolygonTrial trial = affine_trial(format, draw, k, map, level);
+  PolygonTrial trial = affine_trial(format, draw, k, map, levels);
   trial.known.reset();
   std::vector<Point3>& vertices = trial.query.polygon.vertices;
   auto* s = std::get_if<Segment>(&trial.query.probe);
@@ -140,7 +146,7 @@ PolygonTrial make_ulp(Format format, std::uint64_t seed, std::uint64_t k) {
               : moved == vertices.size() ? s->p
                                          : s->q;
   const auto axis = static_cast<int>(draw.below(3));
-  const std::int64_t by = draw.below(2) == 0 ? ulps[level] : -ulps[level];
+  const std::int64_t by = draw.below(2) == 0 ? ulps[trial.level] : -ulps[trial.level];
   v[axis] = moved_by_ulps(v[axis], by, format);
   return trial;
 }
@@ -247,19 +253,19 @@ PolygonTrial make_rounded(Format format, std::uint64_t seed, std::uint64_t k) {
 std::span<const PolygonFamily> all_polygon_families() {
   static constexpr PolygonFamily table[] = {
       {"polygon-affine", "22 ring configurations, 26 kinds of place, with growing mantissa fill",
-       "exact affine images of the shapes", "bits of the map's entries", fills, make_affine},
+       "exact affine images of the shapes", "bits of the map's entries", true, fills, make_affine},
       {"polygon-scale", "underflow and overflow: the same from subnormals to the largest numbers",
-       "small images of the shapes, axes scaled by powers of two", "log2 of the scale", scales, make_scale},
+       "small images of the shapes, axes scaled by powers of two", "log2 of the scale", true, scales, make_scale},
       {"polygon-ulp", "near-degeneracy: one coordinate some ulps off, so planar only up to rounding",
-       "affine images of the shapes, one coordinate moved", "units in the last place", ulp_levels, make_ulp},
+       "affine images of the shapes, one coordinate moved", "units in the last place", false, ulp_levels, make_ulp},
       {"polygon-in-plane", "probes in the plane of the polygon", "affine images of the shapes, probes in their plane",
-       "bits of the map's entries", fills, make_in_plane},
+       "bits of the map's entries", false, fills, make_in_plane},
       {"polygon-grid", "random rings on a grid, degenerate in every way", "exact affine images of rings on a 5x5 grid",
-       "vertices, at most", count_levels, make_grid},
+       "vertices, at most", false, count_levels, make_grid},
       {"polygon-warped", "rings that are not planar, exact degeneracies", "exact affine images of rings in {0,1,2}^3",
-       "bits of the map's entries", fills, make_warped},
+       "bits of the map's entries", false, fills, make_warped},
       {"polygon-rounded", "star-shaped rings planar up to rounding, aimed at vertices, edges and spokes",
-       "random rings in [-1,1]^3 as they round", "vertices", count_levels, make_rounded},
+       "random rings in [-1,1]^3 as they round", "vertices", false, count_levels, make_rounded},
   };
   return table;
 }

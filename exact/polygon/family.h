@@ -41,6 +41,7 @@ struct PolygonFamily {
   std::string_view stresses;    ///< one line for people
   std::string_view population;  ///< what a sampled figure is about
   std::string_view axis;        ///< name and unit of the stress axis
+  bool constructs;              ///< every case knows its construction, and all of them are drawn
   std::span<const int> (*levels)(Format);
   PolygonTrial (*make)(Format format, std::uint64_t seed, std::uint64_t k);
 };

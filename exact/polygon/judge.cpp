@@ -66,11 +66,18 @@ PolygonTruth truth_of(const PolygonTrial& trial) {
   return truth;
 }
 
-Judgement judge(const Method& method, const PolygonTruth& truth, const PolygonAnswer& answer) {
-  if (answer.answer.status != Status::ok) return Judgement::unsupported;
-  if (!truth.planar && !method.polygon_promise.surface) return Judgement::unsupported;
+bool is_promised(const PolygonPromise& promise, const PolygonTruth& truth) {
   const bool boundary = truth.contact == Contact::edge || truth.contact == Contact::vertex;
-  if (boundary && !method.polygon_promise.boundary) return Judgement::unsupported;
+  return (truth.planar || promise.surface) && (!boundary || promise.boundary);
+}
+
+PolygonAnswer within_contract(const Method& method, const PolygonTruth& truth, const PolygonAnswer& answer) {
+  if (answer.answer.status != Status::ok || is_promised(method.polygon_promise, truth)) return answer;
+  return {.answer = refusal(Status::unsupported)};
+}
+
+Judgement judge(const Method& method, const PolygonTruth& truth, const PolygonAnswer& answer) {
+  if (within_contract(method, truth, answer).answer.status != Status::ok) return Judgement::unsupported;
   if (method.exact && answer.planar != truth.planar) return Judgement::wrong;
   const bool right = answer.answer.hit == counts_as_hit(truth.contact, method.convention);
   return right ? Judgement::right : Judgement::wrong;

@@ -23,6 +23,14 @@ PolygonTruth exact_truth(const PolygonQuery& query);
 /// exact_truth, which must also be what the trial's construction proves.
 PolygonTruth truth_of(const PolygonTrial& trial);
 
+/// Whether the method promises anything of a case with this exact answer.
+bool is_promised(const PolygonPromise& promise, const PolygonTruth& truth);
+
+/// The answer, or `unsupported` where the method promises none: an inexact method cannot tell by itself whether a
+/// polygon is planar, or a probe meets its boundary.
+PolygonAnswer within_contract(const Method& method, const PolygonTruth& truth, const PolygonAnswer& answer);
+inline Answer within_contract(const Method&, const Truth&, const Answer& answer) { return answer; }
+
 /// By the method's own convention and promise: coplanar contacts are misses to a transversal method; boundary contacts
 /// and polygons that are not planar are not judged where the method promises nothing of them.
 Judgement judge(const Method& method, const PolygonTruth& truth, const PolygonAnswer& answer);

@@ -137,54 +137,58 @@ bool keeps(const PolygonRelation& relation, const PolygonAnswer& before, const P
   return !relation.keeps_contact || before.answer.contact == after.answer.contact;
 }
 
-struct Asker {
-  const PolygonFuzzPlan& plan;
-  std::vector<PolygonRelationCount> counts;
+bool promises_all(const PolygonPromise& promise) { return promise.boundary && promise.surface; }
 
-  void ask(std::uint64_t g) {
-    const PolygonStream& source = plan.streams[g % plan.streams.size()];
-    const PolygonTrial trial = source.family->make(source.format, plan.seed, g / plan.streams.size());
-    const bool planar = is_planar_by_normal<Dyadic>(trial.query.polygon);
-    for (std::size_t r = 0; r < all_polygon_relations().size(); ++r) {
-      const PolygonRelation& relation = all_polygon_relations()[r];
+/// Whether the method owes an answer to the query: asked exactly, where it does not promise all.
+bool owes(const Method& method, const PolygonTrial& trial) {
+  if (!takes(method, trial.format)) return false;
+  return promises_all(method.polygon_promise) || is_promised(method.polygon_promise, exact_truth(trial.query));
+}
+
+void ask(const Method& method, const PolygonRelation& relation, const PolygonQuery& query, const PolygonQuery& changed,
+         std::uint64_t g, PolygonRelationCount& count) {
+  const PolygonAnswer before = method.ask(query), after = method.ask(changed);
+  if (before.answer.status != Status::ok || after.answer.status != Status::ok) return;
+  count.add(keeps(relation, before, after), g, {query, changed});
+}
+
+/// The change of a relation is a function of the case and the relation, so every method sees the same queries.
+void run_case(const PolygonFuzzPlan& plan, std::uint64_t g, std::vector<PolygonRelationCount>& counts) {
+  const PolygonStream& source = plan.streams[g % plan.streams.size()];
+  const PolygonTrial trial = source.family->make(source.format, plan.seed, g / plan.streams.size());
+  const bool planar = is_planar_by_normal<Dyadic>(trial.query.polygon);
+  const std::span<const PolygonRelation> relations = all_polygon_relations();
+  for (std::size_t m = 0; m < plan.methods.size(); ++m) {
+    if (!owes(plan.methods[m], trial)) continue;
+    for (std::size_t r = 0; r < relations.size(); ++r) {
       Draw draw(static_cast<std::uint32_t>(200 + r), plan.seed, g);
-      if (relation.planar_only && !planar) continue;
-      if (const Changed changed = relation.change(trial.query, source.format, draw)) compare(r, trial, *changed);
+      if (relations[r].planar_only && !planar) continue;
+      const Changed changed = relations[r].change(trial.query, source.format, draw);
+      if (changed) ask(plan.methods[m], relations[r], trial.query, *changed, g, counts[m * relations.size() + r]);
     }
   }
-
-  void compare(std::size_t r, const PolygonTrial& trial, const PolygonQuery& changed) {
-    for (std::size_t m = 0; m < plan.methods.size(); ++m) {
-      const Method& method = plan.methods[m];
-      if (!takes(method, trial.format)) continue;
-      PolygonRelationCount& count = counts[m * all_polygon_relations().size() + r];
-      ++count.asked;
-      if (keeps(all_polygon_relations()[r], method.ask(trial.query), method.ask(changed))) continue;
-      if (count.broken++ == 0) count.witness = trial.query;
-    }
-  }
-};
+}
 
 }  // namespace
 
 std::span<const PolygonRelation> all_polygon_relations() {
   static constexpr PolygonRelation table[] = {
-      {"start-vertex", true, true, start_vertex}, {"ring-direction", true, true, ring_direction},
-      {"ring-order", true, true, ring_order},     {"repeated-vertex", false, true, repeated_vertex},
-      {"flat-vertex", false, false, flat_vertex}, {"segment-reversal", false, true, reversed_segment},
-      {"signed-axes", false, true, signed_axes},  {"powers-of-two", false, true, powers_of_two},
+      {"start-vertex", "where the rings of a planar polygon start does not matter", true, true, start_vertex},
+      {"ring-direction", "nor which way they run", true, true, ring_direction},
+      {"ring-order", "nor which of them is the outer one", true, true, ring_order},
+      {"repeated-vertex", "a vertex may be repeated", false, true, repeated_vertex},
+      {"flat-vertex", "the exact middle of an edge may be a vertex", false, false, flat_vertex},
+      {"segment-reversal", "the direction of the segment does not matter", false, true, reversed_segment},
+      {"signed-axes", "the 48 signed axis permutations change nothing", false, true, signed_axes},
+      {"powers-of-two", "a power of two on each axis changes nothing", false, true, powers_of_two},
   };
   return table;
 }
 
 std::vector<PolygonRelationCount> check_relations(const PolygonFuzzPlan& plan) {
-  Asker asker{plan, {}};
-  for (std::size_t m = 0; m < plan.methods.size(); ++m) {
-    for (std::size_t r = 0; r < all_polygon_relations().size(); ++r)
-      asker.counts.push_back({.method = m, .relation = r});
-  }
-  for (std::uint64_t g = 0; g < plan.cases; ++g) asker.ask(g);
-  return asker.counts;
+  return count_relations(
+      plan, all_polygon_relations().size(),
+      [&](std::uint64_t g, std::vector<PolygonRelationCount>& counts) { run_case(plan, g, counts); });
 }
 
 }  // namespace tribunal

@@ -172,4 +172,6 @@ PolygonQuery shrink(const Method& method, const PolygonQuery& query, Format form
   return PolygonShrinker(method, query, format, budget).run();
 }
 
+bool is_simpler(const PolygonQuery& a, const PolygonQuery& b) { return cost_of(a) < cost_of(b); }
+
 }  // namespace tribunal

@@ -11,4 +11,7 @@ namespace tribunal {
 /// it ends and, if within the budget, its result is its own fixed point. Deterministic.
 PolygonQuery shrink(const Method& method, const PolygonQuery& query, Format format, int budget = 3000);
 
+/// Fewer vertices; then fewer significand bits in all; then exponents nearer to 0; then fewer minus signs.
+bool is_simpler(const PolygonQuery& a, const PolygonQuery& b);
+
 }  // namespace tribunal

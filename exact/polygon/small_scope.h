@@ -2,6 +2,7 @@
 // triangular hole there, degenerate ones included, against piercing points on the half grid and segments in the plane.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -113,33 +114,67 @@ class Scope {
   /// One polygon, asked in full. `subject(polygon)` gives the function that answers segments.
   template <class Subject>
   void ask(const std::vector<Cells>& rings, const Subject& subject) {
-    place(rings);
-    ++report.polygons;
-    const auto answer = subject(static_cast<const Polygon&>(Polygon(polygon_)));
-    for (int i = 0; i < grid_.side() * grid_.side(); ++i) {
-      const Vec2<std::int64_t> x = grid_.point(i);
-      const int turn = i + static_cast<int>(report.polygons % 3);
-      count(answer(piercing(x, turn)), see(rings, x) || inside());
-    }
-    std::array<bool, grid_points> start_inside;
-    for (int c = 0; c < grid_points; ++c)
-      start_inside[static_cast<std::size_t>(c)] = !see(rings, grid_.vertex(c)) && inside();
-    for (std::size_t s = 0; s < segments_.size(); ++s) {
-      const bool meets = start_inside[static_cast<std::size_t>(segments_.source(s))] || meets_edge(rings, s);
-      count(answer(segments_.segment(s)), meets);
-    }
+    const auto answer = subject(place(rings));
+    visit_cases(rings, ++report.polygons, [&](const Segment& s, Contact due) {
+      ++report.queries;
+      report.hits += due != Contact::none;
+      report.different += answer(s) != (due != Contact::none);
+    });
   }
 
-  PolygonScope report;
-
- private:
-  void place(const std::vector<Cells>& rings) {
+  /// The polygon of these rings, until the next is placed.
+  const PolygonData& place(const std::vector<Cells>& rings) {
     polygon_.vertices.clear();
     polygon_.ends.clear();
     for (const Cells& ring : rings) {
       for (const int cell : ring) polygon_.vertices.push_back(in_space(grid_.vertex(cell)));
       polygon_.ends.push_back(polygon_.vertices.size());
     }
+    return polygon_;
+  }
+
+  /// Every case of the polygon: calls `visit(segment, exact contact)`. `number` says how piercing segments take turns.
+  template <class Visit>
+  void visit_cases(const std::vector<Cells>& rings, std::uint64_t number, const Visit& visit) {
+    const bool flat = is_flat(rings);
+    for (int i = 0; i < points(); ++i) {
+      const Vec2<std::int64_t> x = grid_.point(i);
+      visit(piercing(x, i + static_cast<int>(number % 3)), contact_at(rings, x, flat));
+    }
+    std::array<bool, grid_points> start_inside;
+    for (int c = 0; c < grid_points; ++c)
+      start_inside[static_cast<std::size_t>(c)] = !see(rings, grid_.vertex(c)) && inside();
+    for (std::size_t s = 0; s < segments_.size(); ++s) {
+      const bool meets = start_inside[static_cast<std::size_t>(segments_.source(s))] || meets_edge(rings, s);
+      visit(segments_.segment(s), meets ? Contact::coplanar : Contact::none);
+    }
+  }
+
+  int points() const { return grid_.side() * grid_.side(); }
+
+  PolygonScope report;
+
+ private:
+  /// Whether all vertices lie on a line.
+  bool is_flat(const std::vector<Cells>& rings) const {
+    const Vec2<std::int64_t> o = grid_.vertex(rings[0][0]);
+    Vec2<std::int64_t> along{0, 0};
+    for (const Cells& ring : rings) {
+      for (const int cell : ring) {
+        const Vec2<std::int64_t> v = grid_.vertex(cell), to{v.u - o.u, v.v - o.v};
+        if (along.u * to.v != along.v * to.u) return false;
+        if (along.u == 0 && along.v == 0) along = to;
+      }
+    }
+    return true;
+  }
+
+  /// The contact of a segment that leaves the plane and meets it in x.
+  Contact contact_at(const std::vector<Cells>& rings, const Vec2<std::int64_t>& x, bool flat) {
+    if (!see(rings, x)) return inside() ? Contact::interior : Contact::none;
+    if (flat) return Contact::coplanar;
+    const auto at_end = [](const SeenEdge<std::int64_t>& e) { return e.b.u == 0 && e.b.v == 0; };
+    return std::any_of(seen_.begin(), seen_.end(), at_end) ? Contact::vertex : Contact::edge;
   }
 
   /// Looks at the rings from x; true if x lies on an edge.
@@ -176,12 +211,6 @@ class Scope {
     return false;
   }
 
-  void count(bool answered, bool meets) {
-    ++report.queries;
-    report.hits += meets;
-    report.different += answered != meets;
-  }
-
   Grid grid_;
   PlaneSegments segments_;
   PolygonData polygon_;
@@ -201,19 +230,25 @@ PolygonScope exhaust_rings(const Subject& subject, const RingScope& rings = {}) 
   return scope.report;
 }
 
-/// All rings of four vertices, each with every triangle of three different grid points as a hole; or the first few.
+/// Calls `visit` with every triangle of three different grid points.
+template <class Visit>
+void for_each_hole(const Visit& visit) {
+  using small_scope_detail::grid_points;
+  for (int a = 0; a < grid_points; ++a) {
+    for (int b = a + 1; b < grid_points; ++b) {
+      for (int c = b + 1; c < grid_points; ++c) visit(small_scope_detail::Cells{a, b, c});
+    }
+  }
+}
+
+/// All rings of four vertices, each with every triangle as a hole; or the first few.
 template <class Subject>
 PolygonScope exhaust_holes(const Subject& subject, std::uint64_t most = UINT64_MAX) {
-  using small_scope_detail::grid_points;
   small_scope_detail::Scope scope(1);
   small_scope_detail::for_each_ring(4, Start::lowest, [&](const small_scope_detail::Cells& ring) {
-    for (int a = 0; a < grid_points; ++a) {
-      for (int b = a + 1; b < grid_points; ++b) {
-        for (int c = b + 1; c < grid_points; ++c) {
-          if (scope.report.polygons < most) scope.ask({ring, {a, b, c}}, subject);
-        }
-      }
-    }
+    for_each_hole([&](const small_scope_detail::Cells& hole) {
+      if (scope.report.polygons < most) scope.ask({ring, hole}, subject);
+    });
   });
   return scope.report;
 }

@@ -1,9 +1,5 @@
 #include "exact/relations/relation.h"
 
-#include <algorithm>
-
-#include "exact/harness/parallel.h"
-#include "exact/harness/progress.h"
 #include "exact/relations/rows.h"
 
 namespace tribunal {
@@ -33,32 +29,18 @@ constexpr Relation relations[] = {
     {"plane", "a miss has a plane that separates the operands", miss_has_plane},
 };
 
-struct Witness {
-  std::uint64_t g = ~std::uint64_t{0};
-  std::vector<Query> queries{};
-};
-
-struct Entry {
-  std::uint64_t asked = 0, broken = 0;
-  Witness first{};
-};
-
-void ask(const Method& method, const Instance& instance, std::uint64_t g, Entry& entry) {
-  const std::optional<bool> holds = instance.holds(method);
-  if (!holds) return;
-  ++entry.asked;
-  if (*holds) return;
-  ++entry.broken;
-  if (g < entry.first.g) entry.first = {g, instance.queries};
+void ask(const Method& method, const Instance& instance, std::uint64_t g, RelationCount& count) {
+  if (const std::optional<bool> holds = instance.holds(method)) count.add(*holds, g, instance.queries);
 }
 
-void ask_all(const FuzzPlan& plan, const Query& query, Format format, std::uint64_t g, std::vector<Entry>& entries) {
+void ask_all(const FuzzPlan& plan, const Query& query, Format format, std::uint64_t g,
+             std::vector<RelationCount>& counts) {
   for (std::size_t r = 0; r < std::size(relations); ++r) {
     Draw draw(static_cast<std::uint32_t>(1000 + r), plan.seed, g);
     const std::optional<Instance> instance = relations[r].of(query, format, draw);
     if (!instance) continue;
     for (std::size_t m = 0; m < plan.methods.size(); ++m) {
-      if (takes(plan.methods[m], format)) ask(plan.methods[m], *instance, g, entries[m * std::size(relations) + r]);
+      if (takes(plan.methods[m], format)) ask(plan.methods[m], *instance, g, counts[m * std::size(relations) + r]);
     }
   }
 }
@@ -72,17 +54,11 @@ std::optional<Query> as_ray(const Query& query, Format format) {
 }
 
 /// The draw of a relation is a function of the case and the relation, so every method sees the same queries.
-void run_case(const FuzzPlan& plan, std::uint64_t g, std::vector<Entry>& entries) {
+void run_case(const FuzzPlan& plan, std::uint64_t g, std::vector<RelationCount>& counts) {
   const Stream& stream = plan.streams[g % plan.streams.size()];
   const Trial trial = stream.family->make(stream.format, plan.seed, g / plan.streams.size());
-  ask_all(plan, trial.query, stream.format, g, entries);
-  if (const auto ray = as_ray(trial.query, stream.format)) ask_all(plan, *ray, stream.format, g, entries);
-}
-
-void merge(Entry& into, const Entry& from) {
-  into.asked += from.asked;
-  into.broken += from.broken;
-  if (from.first.g < into.first.g) into.first = from.first;
+  ask_all(plan, trial.query, stream.format, g, counts);
+  if (const auto ray = as_ray(trial.query, stream.format)) ask_all(plan, *ray, stream.format, g, counts);
 }
 
 }  // namespace
@@ -90,24 +66,8 @@ void merge(Entry& into, const Entry& from) {
 std::span<const Relation> all_relations() { return relations; }
 
 std::vector<RelationCount> check_relations(const FuzzPlan& plan) {
-  constexpr std::uint64_t block_size = 512;
-  const std::size_t entries = plan.methods.size() * std::size(relations);
-  std::vector<std::vector<Entry>> workers(plan.threads, std::vector<Entry>(entries));
-  Progress progress("relations", "cases", plan.cases);
-  run_blocks((plan.cases + block_size - 1) / block_size, plan.threads, [&](std::size_t block, unsigned w) {
-    const std::uint64_t end = std::min(plan.cases, (block + 1) * block_size);
-    for (std::uint64_t g = block * block_size; g < end; ++g) run_case(plan, g, workers[w]);
-    progress.add(end - block * block_size);
-  });
-  std::vector<RelationCount> counts;
-  for (std::size_t i = 0; i < entries; ++i) {
-    Entry total;
-    for (const auto& worker : workers) merge(total, worker[i]);
-    RelationCount c{i / std::size(relations), i % std::size(relations), total.asked, total.broken};
-    if (total.broken > 0) c.witness = total.first.queries;
-    counts.push_back(c);
-  }
-  return counts;
+  return count_relations(plan, std::size(relations),
+                         [&](std::uint64_t g, std::vector<RelationCount>& counts) { run_case(plan, g, counts); });
 }
 
 }  // namespace tribunal

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "exact/families/draw.h"
-#include "exact/harness/fuzz.h"
+#include "exact/relations/count.h"
 
 namespace tribunal {
 
@@ -32,12 +32,7 @@ struct Relation {
 /// Adding one is adding a row.
 std::span<const Relation> all_relations();
 
-/// How often a method broke a relation, and the first case that shows it.
-struct RelationCount {
-  std::size_t method, relation;
-  std::uint64_t asked = 0, broken = 0;
-  std::vector<Query> witness{};
-};
+using RelationCount = BasicRelationCount<Query>;
 
 /// Every relation on every case of the plan and on the ray through it (from p in the direction of q − p, as that
 /// rounds), for every method; one entry for each method × relation. Deterministic for any number of threads.

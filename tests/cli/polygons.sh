@@ -18,9 +18,9 @@ diff out - <<'EOF'
 {"id":"a triangle","method":"sf-epick","hit":1,"status":"ok","class":"C017","contact":"vertex","at":"between"}
 {"id":"a triangle","method":"haines-double","status":"unsupported"}
 {"id":"at the hole","method":"sf-epick","hit":1,"status":"ok","contact":"edge","at":"between","planar":true}
-{"id":"at the hole","method":"haines-double","hit":0,"status":"ok","contact":"none"}
+{"id":"at the hole","method":"haines-double","status":"unsupported"}
 {"id":"not planar","method":"sf-epick","hit":1,"status":"ok","contact":"interior","at":"between","planar":false}
-{"id":"not planar","method":"haines-double","hit":1,"status":"ok"}
+{"id":"not planar","method":"haines-double","status":"unsupported"}
 {"id":"in the plane","method":"sf-epick","hit":1,"status":"ok","contact":"coplanar","planar":true}
 {"id":"in the plane","method":"haines-double","hit":0,"status":"ok","contact":"none"}
 EOF
@@ -47,4 +47,4 @@ bad '{"id":"x","seg":[[0,0,1],[0,0,-1]],"rings":[[[0,0,0]]],"tri":[[0,0,0],[1,0,
 bad '{"id":"x","seg":[[0,0,1],[0,0,-1]],"rings":[[[0,0,0]]],"class":"C017"}' 'has no class'
 bad '{"id":"x","fmt":"binary32","seg":[[0,0,1],[0,0,-1]],"rings":[[[0,0,0.1]]]}' 'rings[0][0]'
 bad '{"id":"x","seg":[[0,0,1],[0,0,-1]],"ring":[[[0,0,0]]]}' 'did you mean "rings"?'
-expect 3 certify --method sf-double --cases cases.jsonl --budget quick --out certificate && says err 'this command takes triangles only'
+expect 3 certify --method sf-double --cases cases.jsonl --budget quick --out certificate && says err 'expected "tri", or --polygons'

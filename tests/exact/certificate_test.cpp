@@ -29,9 +29,14 @@ class CertificateTest : public testing::Test {
   }
   void TearDown() override { std::filesystem::remove_all(directory_); }
 
-  Certificate write(const CertifyPlan& plan) {
+  template <class On = OnTriangles>
+  Certificate write(const BasicCertifyPlan<On>& plan) {
     ChainedLog log = certify(plan);
     return write_certificate(directory_, log);
+  }
+
+  Certificate write_polygons(const char* name, std::uint64_t rounds) {
+    return write<OnPolygons>({.method = method(name), .budget = {"tiny", 0, false, rounds}, .threads = 2});
   }
 
   std::string file(const char* name) const { return directory_ + "/" + name; }
@@ -152,6 +157,93 @@ TEST_F(CertificateTest, LostCountsMakeAHole) {
         }
       }
     }
+  });
+  EXPECT_EQ(verify(directory_).certificate.verdict, Verdict::incomplete);
+}
+
+const std::uint64_t cases_of_tiny = 3 * shape_count * place_count;
+
+TEST_F(CertificateTest, OfPolygonsSpeaksOfConstructionsAndOutcomes) {
+  const Certificate c = write_polygons("sf-filtered", 3);
+  EXPECT_EQ(c.verdict, Verdict::not_refuted);
+  EXPECT_EQ(c.operands(), Operands::polygons);
+  ASSERT_EQ(c.proved.size(), 2U);
+  EXPECT_EQ(c.proved[0].count.asked, 217'140U);
+  EXPECT_EQ(c.proved[1].count.asked, 1'658'442U);
+  EXPECT_EQ(c.proved[1].count.wrong, 0U);
+  for (const Format format : {Format::binary64, Format::binary32}) {
+    for (const SlotGroup& group : slot_groups(Operands::polygons)) {
+      EXPECT_EQ(c.coverage.judged(format, group), static_cast<int>(group.size)) << group.name;
+    }
+    EXPECT_EQ(c.coverage.total(format, Operands::polygons).asked, 7 * cases_of_tiny);
+  }
+  for (const Gap& gap : c.gaps) EXPECT_TRUE(gap.explained) << gap.what << ": " << gap.reason;
+  const Verification v = verify(directory_);
+  EXPECT_TRUE(v.faults.empty());
+  EXPECT_EQ(v.asked_again, 217'140U);
+}
+
+TEST_F(CertificateTest, OfPolygonsRefutesTheClassicalWayWithinItsContract) {
+  const Certificate c = write_polygons("haines-double", 3);
+  EXPECT_EQ(c.verdict, Verdict::refuted);
+  EXPECT_EQ(c.proved[1].count.wrong, 0U) << "small integers";
+  EXPECT_GT(c.proved[1].count.unsupported, 0U) << "the boundary";
+  for (const Stratum& s : c.strata) {
+    if (s.slot != slot_of(PolygonTruth{Contact::edge, true})) continue;
+    EXPECT_EQ(s.count.judged(), 0U) << "the boundary is outside its contract";
+  }
+  ASSERT_FALSE(c.counterexamples.empty());
+  for (const Json& line : c.counterexamples) EXPECT_TRUE(line.contains("rings"));
+  EXPECT_EQ(verify(directory_).confirmed, c.counterexamples.size());
+  EXPECT_TRUE(verify(directory_).faults.empty());
+}
+
+/// Planted: a polygon test that takes every hole edge for a miss, in the small scope and among the constructions.
+TEST_F(CertificateTest, OfPolygonsFindsAPlantedBug) {
+  PolygonCertifyPlan plan{.method = method("sf-rational"), .budget = {"tiny", 0, false, 3}, .threads = 2};
+  plan.method.name = "planted";
+  plan.method.polygon = [](const Polygon& polygon) -> PreparedPolygon {
+    const PreparedPolygon right = method("sf-rational").polygon(polygon);
+    const auto segment = [right, many = polygon.rings() > 1](const Segment& s) {
+      PolygonAnswer answer = right.segment(s);
+      if (many && answer.answer.contact == Contact::edge) answer.answer.hit = false;
+      return answer;
+    };
+    return {.segment = segment, .ray = right.ray};
+  };
+  const Certificate c = write(plan);
+  EXPECT_EQ(c.verdict, Verdict::refuted);
+  for (const Stratum& s : c.strata) {
+    if (s.count.wrong == 0) continue;
+    EXPECT_NE(slot_name(s.slot).find("edge"), std::string::npos) << slot_name(s.slot);
+  }
+  EXPECT_FALSE(verify(directory_).asked_again) << "an unknown method";
+}
+
+/// Every digit counts: in the log, in what is made of it, and a stratum dropped with the chain made anew.
+TEST_F(CertificateTest, OfPolygonsIsHeldAgainstItsLog) {
+  write_polygons("sf-epick", 3);
+  const std::string log = read_file(file("log.jsonl"));
+  int edited = 0;
+  for (std::size_t i = 0; i < log.size(); i += 4999) {
+    const std::size_t digit = log.find_first_of("0123456789", i);
+    if (digit == std::string::npos) break;
+    std::string changed = log;
+    changed[digit] = changed[digit] == '9' ? '8' : static_cast<char>(changed[digit] + 1);
+    write_file(file("log.jsonl"), changed);
+    EXPECT_THROW(read_log(file("log.jsonl")), Failure) << "at byte " << digit;
+    ++edited;
+  }
+  EXPECT_GT(edited, 50);
+  write_file(file("log.jsonl"), log);
+  forge([](std::vector<Json>& records) {
+    for (Json& r : records) {
+      if (r["record"] == "sample" && r["method"] == "sf-epick" && r["counts"].contains("dart / outer edge / to")) {
+        r["counts"].erase("dart / outer edge / to");
+        return;
+      }
+    }
+    ADD_FAILURE() << "no such stratum";
   });
   EXPECT_EQ(verify(directory_).certificate.verdict, Verdict::incomplete);
 }

@@ -7,9 +7,9 @@
 #include <set>
 
 #include "exact/harness/fp_environment.h"
-#include "exact/harness/fuzz.h"
 #include "exact/io/failure.h"
 #include "exact/methods.h"
+#include "exact/polygon/fuzz.h"
 #include "tests/planted/bugs.h"
 
 namespace tribunal {
@@ -21,16 +21,26 @@ std::uint64_t seed() {
 }
 
 /// The bug first, and beside it methods without one.
-FuzzPlan plan_for(const Method& bug, std::uint64_t cases) {
-  FuzzPlan plan;
+template <class On>
+BasicFuzzPlan<On> plan_for(const Method& bug, std::uint64_t cases, const std::vector<Method>& sound,
+                           std::vector<BasicStream<On>> streams) {
+  BasicFuzzPlan<On> plan;
   plan.methods = {bug, *find_method("sf-epick"), *find_method("sf-rational")};
-  for (const Method& sound : planted::sound_twins()) plan.methods.push_back(sound);
-  plan.streams = all_streams();
+  for (const Method& m : sound) plan.methods.push_back(m);
+  plan.streams = std::move(streams);
   plan.seed = seed();
   plan.cases = cases;
   plan.seconds = 60;
   plan.threads = 1;
   return plan;
+}
+
+FuzzPlan plan_for(const Method& bug, std::uint64_t cases) {
+  return plan_for<OnTriangles>(bug, cases, planted::sound_twins(), all_streams());
+}
+
+PolygonFuzzPlan polygon_plan_for(const Method& bug, std::uint64_t cases) {
+  return plan_for<OnPolygons>(bug, cases, {planted::sound_polygon()}, all_polygon_streams());
 }
 
 struct Hunt {
@@ -39,9 +49,10 @@ struct Hunt {
   std::set<std::string> blamed;
 };
 
-Hunt result_of(const FuzzPlan& plan, const FuzzReport& report) {
+template <class On>
+Hunt result_of(const BasicFuzzPlan<On>& plan, const BasicFuzzReport<On>& report) {
   Hunt hunt;
-  for (const Finding& f : report.findings) {
+  for (const auto& f : report.findings) {
     const std::uint64_t g = f.k * plan.streams.size() + f.stream + 1;
     hunt.cases = hunt.cases == 0 ? g : std::min(hunt.cases, g);
     hunt.blamed.insert(plan.methods[f.method].name);
@@ -49,31 +60,43 @@ Hunt result_of(const FuzzPlan& plan, const FuzzReport& report) {
   return hunt;
 }
 
-/// Ever longer runs until something is found or a minute is over; all of them count.
-Hunt hunt_for(const Method& bug) {
+/// Ever longer runs of the plan until something is found or a minute is over; all of them count.
+template <class PlanFor>
+Hunt hunt_for(const Method& bug, const PlanFor& plan_of) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
   Hunt hunt;
   for (std::uint64_t cases = 500; hunt.blamed.empty() && elapsed() < 60; cases *= 4) {
-    const FuzzPlan plan = plan_for(bug, cases);
+    const auto plan = plan_of(bug, cases);
     hunt = result_of(plan, fuzz(plan));
   }
   hunt.seconds = elapsed();
   return hunt;
 }
 
-TEST(PlantedBugs, AreEachFoundAndNobodyElseIsBlamed) {
-  const std::vector<Method> bugs = planted::bugs();
-  EXPECT_GE(bugs.size(), 30U);
+template <class PlanFor>
+void expect_all_found(const std::vector<Method>& bugs, const PlanFor& plan_of) {
   std::printf("  %-24s %8s %8s  %-24s %s\n", "bug", "cases", "seconds", "blamed", "what is wrong");
   for (const Method& bug : bugs) {
-    const Hunt hunt = hunt_for(bug);
+    const Hunt hunt = hunt_for(bug, plan_of);
     EXPECT_EQ(hunt.blamed, std::set<std::string>{bug.name}) << bug.name << ": " << bug.summary;
     EXPECT_LT(hunt.seconds, 60) << bug.name;
     std::printf("  %-24s %8llu %8.2f  %-24s %s\n", bug.name.c_str(), static_cast<unsigned long long>(hunt.cases),
                 hunt.seconds, hunt.blamed.empty() ? "" : hunt.blamed.begin()->c_str(), bug.summary.c_str());
   }
+}
+
+TEST(PlantedBugs, AreEachFoundAndNobodyElseIsBlamed) {
+  const std::vector<Method> bugs = planted::bugs();
+  EXPECT_GE(bugs.size(), 30U);
+  expect_all_found(bugs, [](const Method& bug, std::uint64_t cases) { return plan_for(bug, cases); });
+}
+
+TEST(PlantedBugs, OfPolygonsAreEachFoundAndNobodyElseIsBlamed) {
+  const std::vector<Method> bugs = planted::polygon_bugs();
+  EXPECT_GE(bugs.size(), 15U);
+  expect_all_found(bugs, polygon_plan_for);
 }
 
 /// A longer run for those who must never be blamed.

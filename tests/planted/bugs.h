@@ -14,6 +14,10 @@ std::vector<Method> bugs();
 /// The same code without the bug, "sound-…": never to be blamed.
 std::vector<Method> sound_twins();
 
+/// The same for polygons: methods that take nothing else.
+std::vector<Method> polygon_bugs();
+Method sound_polygon();
+
 /// Not found by wrong answers: it leaves its worker flushing subnormals to zero, and the harness must notice.
 Method environment_bug();
 

@@ -52,3 +52,26 @@ const tribunal_plugin* tribunal_plugin_describe(void) {
   return &plugin;
 #endif
 }
+
+#ifdef POLYGONS
+#ifndef ASK_POLYGON
+#define ASK_POLYGON ask_polygon
+#endif
+#ifndef RESTRICTIONS
+#define RESTRICTIONS 0
+#endif
+#ifndef POLYGON_ABI
+#define POLYGON_ABI TRIBUNAL_PLUGIN_ABI
+#endif
+
+int ask_polygon(int probe, const double coordinates[6], const tribunal_polygon* polygon);
+int ask_polygon(int probe, const double coordinates[6], const tribunal_polygon* polygon) {
+  const double nothing[15] = {coordinates[0], polygon->vertices[0]};
+  return ask(probe, nothing);
+}
+
+extern const tribunal_polygon_plugin polygons;
+const tribunal_polygon_plugin polygons = {POLYGON_ABI, RESTRICTIONS, ASK_POLYGON};
+
+const tribunal_polygon_plugin* tribunal_plugin_describe_polygons(void) { return POLYGONS; }
+#endif

@@ -135,7 +135,7 @@ void run_chart(Runner& runner, const Options& o) {
 /// The plainest counterexample, in a file of its own, and what replay says of it.
 void add_counterexample(Tour& tour) {
   tour.counterexample = plainest(read_cases(tour.directory + "/" + demo_files::floating + "/counterexamples.jsonl"));
-  write_file(tour.directory + "/" + demo_files::counterexample, to_lines({tour.counterexample}));
+  write_file(tour.directory + "/" + demo_files::counterexample, to_lines(std::vector{tour.counterexample}));
   bool wrong = false;
   tour.replay = replay(tour.counterexample, wrong);
 }

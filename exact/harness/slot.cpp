@@ -1,0 +1,125 @@
+#include "exact/harness/slot.h"
+
+#include <array>
+#include <unordered_map>
+
+#include "exact/classes/class_table.h"
+#include "exact/polygon/construction.h"
+
+namespace tribunal {
+namespace {
+
+constexpr std::size_t contact_count = 5;  ///< that an exact answer can have
+constexpr Slot first_construction = class_count + 1;
+
+Slot first_outcome() { return static_cast<Slot>(first_construction + all_constructions().size()); }
+
+/// A coplanar contact is one with a planar polygon.
+std::vector<PolygonTruth> find_outcomes() {
+  std::vector<PolygonTruth> found;
+  for (std::size_t contact = 0; contact < contact_count; ++contact) {
+    found.push_back({static_cast<Contact>(contact), true});
+    if (found.back().contact != Contact::coplanar) found.push_back({static_cast<Contact>(contact), false});
+  }
+  return found;
+}
+
+const std::vector<PolygonTruth>& outcomes() {
+  static const std::vector<PolygonTruth> found = find_outcomes();
+  return found;
+}
+
+bool is_class(Slot slot) { return slot > 0 && slot <= class_count; }
+bool is_construction(Slot slot) { return slot >= first_construction && slot < first_outcome(); }
+bool is_outcome(Slot slot) { return slot >= first_outcome(); }
+
+const Known& construction_of(Slot slot) { return all_constructions()[slot - first_construction]; }
+const PolygonTruth& outcome_of(Slot slot) { return outcomes()[static_cast<std::size_t>(slot - first_outcome())]; }
+
+std::string name_of(const Known& c) {
+  return std::string(all_shapes()[c.shape].name) + " / " + std::string(name_of(c.place)) + " / " +
+         std::string(name_of(c.approach));
+}
+
+std::string name_of(const PolygonTruth& truth) {
+  return std::string(name_of(truth.contact)) + (truth.planar ? "" : ", not planar");
+}
+
+int class_member(Slot slot) { return is_class(slot) ? slot : -1; }
+
+int shape_member(Slot slot) { return is_construction(slot) ? static_cast<int>(construction_of(slot).shape) : -1; }
+
+int place_member(Slot slot) {
+  if (!is_construction(slot)) return -1;
+  const Known& c = construction_of(slot);
+  return static_cast<int>(c.place) * approach_count + static_cast<int>(c.approach);
+}
+
+int construction_member(Slot slot) { return is_construction(slot) ? slot : -1; }
+int outcome_member(Slot slot) { return is_outcome(slot) ? slot : -1; }
+
+std::unordered_map<std::string, Slot> find_names() {
+  std::unordered_map<std::string, Slot> names;
+  for (Slot slot = 0; slot < slots_of(Operands::polygons).end; ++slot) names.emplace(slot_name(slot), slot);
+  return names;
+}
+
+}  // namespace
+
+SlotRange slots_of(Operands operands) {
+  if (operands == Operands::triangles) return {0, first_construction};
+  return {first_construction, static_cast<Slot>(first_outcome() + outcomes().size())};
+}
+
+Operands operands_of(Slot slot) { return slot < first_construction ? Operands::triangles : Operands::polygons; }
+
+Slot slot_of(const Truth& truth) { return truth.class_id; }
+
+Slot slot_of(const PolygonTruth& truth) {
+  const auto contact = static_cast<std::size_t>(truth.contact);
+  return static_cast<Slot>(first_outcome() + 2 * contact + (truth.planar ? 0 : 1));
+}
+
+Slot slot_of(const Known& construction) { return static_cast<Slot>(first_construction + index_of(construction)); }
+
+std::string slot_name(Slot slot) {
+  if (is_outcome(slot)) return name_of(outcome_of(slot));
+  if (is_construction(slot)) return name_of(construction_of(slot));
+  return slot == 0 ? "ray" : class_name(static_cast<ClassId>(slot));
+}
+
+std::optional<Slot> slot_named(const std::string& name) {
+  static const std::unordered_map<std::string, Slot> names = find_names();
+  const auto found = names.find(name);
+  return found == names.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::string slot_description(Slot slot) {
+  if (slot == 0) return "ray";
+  if (is_construction(slot)) return "configuration / place / approach";
+  if (is_outcome(slot)) return "exact contact";
+  const ClassRow& row = class_row(static_cast<ClassId>(slot));
+  return "triangle " + row.triangle + ", segment " + row.segment + ", meet: " + row.intersection + " " +
+         (row.hit() ? row.touches : "");
+}
+
+const std::vector<SlotGroup>& slot_groups(Operands operands) {
+  static const std::vector<SlotGroup> of_triangles = {{"classes", class_count, true, class_member}};
+  static const std::vector<SlotGroup> of_polygons = {
+      {"ring configurations", shape_count, false, shape_member},
+      {"places x approaches", place_count * approach_count, false, place_member},
+      {"constructions", all_constructions().size(), true, construction_member},
+      {"outcomes", outcomes().size(), true, outcome_member},
+  };
+  return operands == Operands::triangles ? of_triangles : of_polygons;
+}
+
+std::vector<Slot> slots_due(Operands operands, bool aimed) {
+  std::vector<Slot> due;
+  for (Slot slot = slots_of(operands).first; slot < slots_of(operands).end; ++slot) {
+    if (is_class(slot) || (aimed ? is_construction(slot) : is_outcome(slot))) due.push_back(slot);
+  }
+  return due;
+}
+
+}  // namespace tribunal
