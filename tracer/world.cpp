@@ -40,10 +40,11 @@ bool lies_in_plane(const PolygonData& polygon, const Triangle& t) {
                               [&](const Point3& v) { return k.orient3d(t.a, t.b, t.c, v) == Sign::zero; });
 }
 
-/// Fills the lists of a world, solid by solid.
+/// Fills the lists of a world, solid by solid, and gathers the triangles.
 class Gatherer {
  public:
-  Gatherer(World& world, Faces faces) : world_(world), faces_(faces) {}
+  Gatherer(World& world, std::vector<Triangle>& triangles, Faces faces)
+      : world_(world), triangles_(triangles), faces_(faces) {}
 
   void add(std::uint32_t solid) {
     const Mesh& mesh = world_.scene->solids[solid].mesh;
@@ -66,7 +67,7 @@ class Gatherer {
   }
 
   void add(const Triangle& t, std::int32_t polygon, std::uint32_t solid) {
-    world_.triangles.push_back(t);
+    triangles_.push_back(t);
     world_.polygon_of.push_back(polygon);
     world_.solid_of.push_back(solid);
   }
@@ -98,12 +99,14 @@ class Gatherer {
   }
 
   World& world_;
+  std::vector<Triangle>& triangles_;
   Faces faces_;
 };
 
-double greatest_coordinate(const std::vector<Box>& boxes) {
+double greatest_coordinate(const FaceList& faces) {
   double greatest = 0;
-  for (const Box& b : boxes) {
+  for (std::size_t id = 0; id < faces.triangles.size(); ++id) {
+    const Box b = faces.box(id);
     for (const Point3& v : {b.lo, b.hi}) {
       greatest = std::max({greatest, std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
     }
@@ -114,21 +117,14 @@ double greatest_coordinate(const std::vector<Box>& boxes) {
 }  // namespace
 
 World make_world(const Scene& scene, Format format, Accel accel, Faces faces) {
-  World world{.scene = &scene,
-              .format = format,
-              .triangles = {},
-              .solid_of = {},
-              .polygon_of = {},
-              .polygons = {},
-              .tree = BoxTree(Accel::none, {}, {}),
-              .step = 0};
-  Gatherer gatherer(world, faces);
+  World world{
+      .scene = &scene, .format = format, .triangles = {}, .solid_of = {}, .polygon_of = {}, .polygons = {}, .step = 0};
+  std::vector<Triangle> triangles;
+  Gatherer gatherer(world, triangles, faces);
   for (std::uint32_t s = 0; s < scene.solids.size(); ++s) gatherer.add(s);
-  std::vector<Box> boxes;
-  boxes.reserve(world.triangles.size());
-  for (std::uint32_t i = 0; i < world.triangles.size(); ++i) boxes.push_back(world.box(i));
-  world.step = scene.bias * greatest_coordinate(boxes);
-  world.tree = BoxTree(accel, std::move(boxes), world.solid_of);
+  const FaceList list{triangles, world.solid_of, world.polygon_of, world.polygons};
+  world.step = scene.bias * greatest_coordinate(list);
+  world.triangles = BoxedFaces(accel, list);
   return world;
 }
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/method.h"
-#include "tracer/accel/bvh.h"
+#include "tracer/accel/boxed_faces.h"
 #include "tracer/scene/scene.h"
 
 namespace tribunal {
@@ -21,11 +21,10 @@ namespace tribunal {
 struct World {
   const Scene* scene;
   Format format;
-  std::vector<Triangle> triangles;  ///< of face i: itself, or three vertices of the polygon that span its plane
+  BoxedFaces triangles;  ///< of face i: itself, or three vertices of the polygon that span its plane; with the boxes
   std::vector<std::uint32_t> solid_of;
   std::vector<std::int32_t> polygon_of;  ///< of face i: an index into polygons, −1 for triangles
   std::vector<PolygonData> polygons;
-  BoxTree tree;
   double step;  ///< by which inexact methods' secondary rays leave a surface: bias × the greatest |coordinate|
 
   const PolygonData* polygon(std::uint32_t id) const {

@@ -78,7 +78,7 @@ TEST(Departures, AreProvedAtVerticesEdgesAndFaces) {
     Departures departures(world, method("sf-filtered"), eye, starts.tally);
     Random random(3);
     for (int i = 0; i < 150; ++i) {
-      const Triangle& t = world.triangles[random.below(world.triangles.size())];
+      const Triangle& t = world.triangles[static_cast<std::uint32_t>(random.below(world.triangles.size()))];
       const Point3 targets[] = {t.a, 0.5 * (t.a + t.b), t.a + 0.25 * (t.b - t.a) + 0.25 * (t.c - t.a)};
       const Point3 target = targets[random.below(3)];
       const Point3 o = target + random.point(4096);

@@ -1,7 +1,9 @@
 // No boxes, object boxes and the tree give the same answers on the nastiest scenes we know.
 #include <cmath>
 
+#include "exact/filtered/batch.h"
 #include "tests/tracer/support.h"
+#include "tracer/scene/read_scene.h"
 #include "tracer/shading/visibility.h"
 
 namespace tribunal {
@@ -66,9 +68,9 @@ Scene nasty_scene(std::uint64_t seed) {
 }
 
 /// Aimed at vertices, edge midpoints and points of faces; along axes, from corners, in face planes.
-Ray aimed(Random& random, const std::vector<Triangle>& triangles) {
-  const Triangle& t = triangles[random.below(triangles.size())];
-  const Triangle& u = triangles[random.below(triangles.size())];
+Ray aimed(Random& random, const BoxedFaces& triangles) {
+  const Triangle t = triangles[static_cast<std::uint32_t>(random.below(triangles.size()))];
+  const Triangle u = triangles[static_cast<std::uint32_t>(random.below(triangles.size()))];
   const Point3 targets[] = {t.a, 0.5 * (t.a + t.b), t.a + 0.25 * (t.b - t.a) + 0.25 * (t.c - t.a), t.b};
   const Point3 target = targets[random.below(4)];
   const Point3 corner = u.a;
@@ -96,7 +98,7 @@ struct Worlds {
   World none, boxes, bvh;
 };
 
-TEST(BoxTree, FirstHitIsThatOfBruteForce) {
+TEST(BoxedFaces, FirstHitIsThatOfBruteForce) {
   const Method& m = method("sf-epeck");
   RayTally tally;
   int hits = 0;
@@ -116,7 +118,7 @@ TEST(BoxTree, FirstHitIsThatOfBruteForce) {
   EXPECT_GT(hits, 1500);
 }
 
-TEST(BoxTree, ShadowsAreThoseOfBruteForce) {
+TEST(BoxedFaces, ShadowsAreThoseOfBruteForce) {
   const Method& m = method("sf-epeck");
   RayTally tally;
   int blocked = 0;
@@ -137,7 +139,58 @@ TEST(BoxTree, ShadowsAreThoseOfBruteForce) {
   EXPECT_GT(blocked, 500);
 }
 
-TEST(BoxTree, OffersEveryTriangleOnceAtMost) {
+/// sf-filtered on the tree's lanes against another exact method that asks every face, on every target.
+TEST(BoxedFaces, LanesSeeWhatBruteForceSees) {
+  for (const std::string_view target : batch_targets()) {
+    force_batch_target(target);
+    RayTally tally, uncounted;
+    for (std::uint64_t seed = 0; seed < 8; ++seed) {
+      const Scene scene = nasty_scene(seed);
+      const Worlds w(scene);
+      Visibility brute(w.none, method("sf-epeck"), uncounted), lanes(w.bvh, method("sf-filtered"), tally);
+      Random random(seed + 300);
+      for (int i = 0; i < 150; ++i) {
+        const Ray ray = aimed(random, w.none.triangles);
+        ASSERT_EQ(brute.first_hit(ray), lanes.first_hit(ray)) << target << " seed " << seed << " ray " << i;
+        const Segment way{ray.o, ray.o + 2.0 * ray.d.v};
+        ASSERT_EQ(brute.is_blocked(way), lanes.is_blocked(way)) << target << " seed " << seed << " segment " << i;
+        const auto face = static_cast<std::uint32_t>(random.below(w.none.triangles.size()));
+        ASSERT_EQ(brute.faces_met(way, face), lanes.faces_met(way, face)) << target << " " << seed << " " << i;
+      }
+    }
+    std::uint64_t staged = 0;
+    for (const Stage s : {Stage::filter, Stage::expansion, Stage::exact}) staged += tally.by_stage[std::size_t(s)];
+    EXPECT_EQ(staged, tally.tests()) << "every test has a stage";
+    EXPECT_GT(tally.by_stage[static_cast<std::size_t>(Stage::expansion)], 1000u);
+  }
+  force_batch_target({});
+}
+
+/// Polygons are leaf primitives too, which the lanes know nothing of.
+TEST(BoxedFaces, LanesLeavePolygonsToTheMethod) {
+  const Scene scene = read_scene("data/scenes/paper-2a.json");
+  const Worlds w(scene);
+  ASSERT_GT(w.bvh.polygons.size(), 30u);
+  const Method& m = method("sf-filtered");
+  RayTally tally;
+  Visibility brute(w.none, m, tally), tree(w.bvh, m, tally);
+  Random random(17);
+  int hits = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Ray ray = aimed(random, w.none.triangles);
+    const auto expected = brute.first_hit(ray);
+    hits += expected.has_value();
+    ASSERT_EQ(expected, tree.first_hit(ray));
+    const Segment way{ray.o, ray.o + 2.0 * ray.d.v};
+    ASSERT_EQ(brute.is_blocked(way), tree.is_blocked(way));
+  }
+  EXPECT_GT(hits, 500);
+  for (std::uint32_t id = 0; id < w.none.triangles.size(); ++id) {
+    EXPECT_EQ(w.none.triangles[id].a, w.bvh.triangles[id].a) << "the plane of a polygon is kept";
+  }
+}
+
+TEST(BoxedFaces, OffersEveryTriangleOnceAtMost) {
   const Scene scene = nasty_scene(1);
   const World w = make_world(scene, Format::binary64, Accel::bvh);
   Random random(7);
@@ -147,7 +200,7 @@ TEST(BoxTree, OffersEveryTriangleOnceAtMost) {
   }
 }
 
-TEST(BoxTree, HandlesManyEqualBoxesAndHugeOnes) {
+TEST(BoxedFaces, HandlesManyEqualBoxesAndHugeOnes) {
   Scene scene;
   Solid s = octahedron(Point3(0), 1);
   const double big = 0x1.8p1023;
@@ -162,7 +215,7 @@ TEST(BoxTree, HandlesManyEqualBoxesAndHugeOnes) {
 }
 
 /// A triangle twice, and the primitive order reversed: the same surface is hit at the same place.
-TEST(BoxTree, PrimitiveOrderDoesNotMove) {
+TEST(BoxedFaces, PrimitiveOrderDoesNotMove) {
   Scene scene = nasty_scene(4);
   Scene reversed = scene;
   for (Solid& s : reversed.solids) std::reverse(s.mesh.triangles.begin(), s.mesh.triangles.end());

@@ -15,7 +15,7 @@ struct Certified {
     const Answer a = intersect(ray, tree.triangle(p));
     return a.hit && a.contact != Contact::coplanar;
   }
-  Box box(Place p, std::uint32_t) const { return box_of(tree.triangle(p)); }
+  double latest(Place p, std::uint32_t) const { return latest_in(box_of(tree.triangle(p)), ray); }
   Sign order(const BoundedHit& a, const BoundedHit& b) const {
     return compare_hits(ray, tree.triangle(a.place), tree.triangle(b.place));
   }
@@ -32,7 +32,7 @@ std::optional<Nearest> TriangleTree::closest(const Ray& ray) const {
   if (!is_finite(ray)) return std::nullopt;
   const WideProbe probe(ray, tree_.frame());
   Certified judge{tree_, ray};
-  ClosestFinder finder(tree_, probe, ray, judge);
+  ClosestFinder finder(tree_, probe, judge);
   WalkCounts uncounted;
   tree_target().sift_ray(tree_, probe, ray, finder, uncounted);
   if (!finder.best()) return std::nullopt;

@@ -3,10 +3,19 @@
 #include <limits>
 #include <type_traits>
 
+#include "tracer/accel/wide/closest.h"
+
 namespace tribunal {
 
+namespace {
+
+/// The method whose filter the tree's lanes compute: exact/filtered/filtered.h.
+constexpr std::string_view sifted_method = "sf-filtered";
+
+}  // namespace
+
 Visibility::Visibility(const World& world, const Method& method, RayTally& tally)
-    : world_(world), method_(method), tally_(tally) {
+    : world_(world), method_(method), sifts_(method.name == sifted_method), tally_(tally) {
   for (const PolygonData& polygon : world.polygons) prepared_.push_back(method.polygon(polygon));
 }
 
@@ -34,22 +43,33 @@ Answer Visibility::ask_counted(const P& probe, std::uint32_t id) {
   return answer;
 }
 
-bool Visibility::is_nearer(const Ray& ray, std::uint32_t id, std::uint32_t best) const {
-  const Triangle& s = world_.triangles[id];
-  const Triangle& t = world_.triangles[best];
-  const Sign order = method_.compare_hits ? method_.compare_hits(ray, s, t)
-                                          : sign_of(shading_parameter(ray, s) - shading_parameter(ray, t));
-  return order == Sign::negative || (order == Sign::zero && id < best);
+/// Of tests that the lanes decided.
+void Visibility::count_certain(std::uint64_t tests, std::uint64_t hits) {
+  tally_.triangle_tests += tests;
+  tally_.triangle_hits += hits;
+  tally_.by_stage[static_cast<std::size_t>(Stage::filter)] += tests;
+}
+
+/// Of two hits, as the method has it: the sign of t − other's t.
+Sign Visibility::order(const Ray& ray, std::uint32_t id, std::uint32_t other) const {
+  const Triangle s = world_.triangles[id], t = world_.triangles[other];
+  return method_.compare_hits ? method_.compare_hits(ray, s, t)
+                              : sign_of(shading_parameter(ray, s) - shading_parameter(ray, t));
 }
 
 std::optional<std::uint32_t> Visibility::first_hit(const Ray& ray) {
   if (!is_finite(ray)) return std::nullopt;
+  return world_.triangles.tree() != nullptr ? first_in_tree(ray) : first_in_list(ray);
+}
+
+std::optional<std::uint32_t> Visibility::first_in_list(const Ray& ray) {
   const BoxProbe probe(ray);
   double limit = std::numeric_limits<double>::infinity();
   std::optional<std::uint32_t> best;
-  world_.tree.traverse(probe, limit, stack_, tally_, [&](std::uint32_t id) {
+  world_.triangles.visit(probe, limit, waiting_, tally_, [&](std::uint32_t id) {
     if (!is_visible_hit(ask_counted(ray, id))) return false;
-    if (!best || is_nearer(ray, id, *best)) best = id;
+    const Sign sign = best ? order(ray, id, *best) : Sign::negative;
+    if (sign == Sign::negative || (sign == Sign::zero && id < *best)) best = id;
     const Span span = probe.span(world_.box(id));
     if (!span.empty()) limit = std::min(limit, span.last);
     return false;
@@ -57,26 +77,98 @@ std::optional<std::uint32_t> Visibility::first_hit(const Ray& ray) {
   return best;
 }
 
+/// Says what the walk along a ray does not know.
+struct Visibility::Judge {
+  Visibility& eye;
+  const Ray& ray;
+
+  bool sees(Place, std::uint32_t id) const { return is_visible_hit(eye.ask_counted(ray, id)); }
+  double latest(Place, std::uint32_t id) const { return latest_in(eye.world_.box(id), ray); }
+  Sign order(const BoundedHit& a, const BoundedHit& b) const { return eye.order(ray, a.id, b.id); }
+};
+
+std::optional<std::uint32_t> Visibility::first_in_tree(const Ray& ray) {
+  const WideTree& tree = *world_.triangles.tree();
+  const WideProbe probe(ray, tree.frame());
+  Judge judge{*this, ray};
+  ClosestFinder finder(tree, probe, judge);
+  WalkCounts counts;
+  if (sifts_) {
+    tree_target().sift_ray(tree, probe, ray, finder, counts);
+  } else {
+    tree_target().visit_all(tree, probe, finder, counts);
+  }
+  tally_.box_tests += counts.boxes;
+  count_certain(counts.missed + finder.certain(), finder.certain());
+  if (!finder.best()) return std::nullopt;
+  return finder.best()->id;
+}
+
+namespace {
+
+/// Passes findings on, by id, to those who want them.
+template <class Hit, class Other>
+class SegmentFinder final : public Finder {
+ public:
+  SegmentFinder(const WideTree& tree, const Hit& hit, const Other& other) : tree_(tree), hit_(hit), other_(other) {}
+
+  bool found(const Finding& f) override {
+    const std::uint32_t id = tree_.id(f.place);
+    return f.certain ? hit_(id) : other_(id);
+  }
+
+ private:
+  const WideTree& tree_;
+  const Hit& hit_;
+  const Other& other_;
+};
+
+}  // namespace
+
+template <class Hit, class Other>
+std::uint64_t Visibility::along(const Segment& way, RayTally& tally, const Hit& hit, const Other& other) {
+  const WideTree* const tree = world_.triangles.tree();
+  if (tree == nullptr) {
+    const double end = 1;
+    world_.triangles.visit(BoxProbe(way), end, waiting_, tally, other);
+    return 0;
+  }
+  const WideProbe probe(way, tree->frame());
+  SegmentFinder finder(*tree, hit, other);
+  finder.limit = probe.limit_at(1);
+  WalkCounts counts;
+  if (sifts_) {
+    tree_target().sift_segment(*tree, probe, way, finder, counts);
+  } else {
+    tree_target().visit_all(*tree, probe, finder, counts);
+  }
+  tally.box_tests += counts.boxes;
+  return counts.missed;
+}
+
 bool Visibility::is_blocked(const Segment& way) {
   if (!is_finite(way)) return false;
-  const double limit = 1;
-  bool blocked = false;
-  world_.tree.traverse(BoxProbe(way), limit, stack_, tally_,
-                       [&](std::uint32_t id) { return blocked = is_blocking_hit(ask_counted(way, id)); });
+  bool blocked = false, certainly = false;
+  const std::uint64_t missed = along(
+      way, tally_, [&](std::uint32_t) { return blocked = certainly = true; },
+      [&](std::uint32_t id) { return blocked = is_blocking_hit(ask_counted(way, id)); });
+  count_certain(missed + certainly, certainly);
   return blocked;
 }
 
 Visibility::Met Visibility::faces_met(const Segment& way, std::uint32_t the_one) {
   if (!is_finite(way)) return Met::more;
-  const double limit = 1;
   RayTally uncounted;
   bool met_the_one = false, met_another = false;
-  world_.tree.traverse(BoxProbe(way), limit, stack_, uncounted, [&](std::uint32_t id) {
-    ++tally_.start_tests;
-    if (!is_visible_hit(ask(way, id))) return false;
+  const auto meet = [&](std::uint32_t id) {
     (id == the_one ? met_the_one : met_another) = true;
     return met_another;
-  });
+  };
+  std::uint64_t told = 0;
+  const std::uint64_t missed = along(
+      way, uncounted, [&](std::uint32_t id) { return ++told, meet(id); },
+      [&](std::uint32_t id) { return ++told, is_visible_hit(ask(way, id)) && meet(id); });
+  tally_.start_tests += told + missed;
   return met_another ? Met::more : met_the_one ? Met::only_the_one : Met::none;
 }
 
@@ -86,15 +178,23 @@ bool Visibility::sees(const Probe& probe, std::uint32_t id) const {
 }
 
 std::vector<std::uint32_t> candidates(const World& world, const Probe& probe) {
-  const BoxProbe boxes = std::visit([](const auto& p) { return BoxProbe(p); }, probe);
-  const double limit = std::numeric_limits<double>::infinity();
-  BoxTree::Stack stack;
-  RayTally uncounted;
   std::vector<std::uint32_t> ids;
-  world.tree.traverse(boxes, limit, stack, uncounted, [&](std::uint32_t id) {
+  const auto add = [&](std::uint32_t id) {
     ids.push_back(id);
     return false;
-  });
+  };
+  if (const WideTree* tree = world.triangles.tree()) {
+    const WideProbe boxes = std::visit([&](const auto& p) { return WideProbe(p, tree->frame()); }, probe);
+    SegmentFinder finder(*tree, add, add);
+    WalkCounts uncounted;
+    tree_target().visit_all(*tree, boxes, finder, uncounted);
+  } else {
+    const BoxProbe boxes = std::visit([](const auto& p) { return BoxProbe(p); }, probe);
+    const double limit = std::numeric_limits<double>::infinity();
+    BoxedFaces::Waiting waiting;
+    RayTally uncounted;
+    world.triangles.visit(boxes, limit, waiting, uncounted, add);
+  }
   std::sort(ids.begin(), ids.end());
   return ids;
 }

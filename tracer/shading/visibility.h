@@ -26,6 +26,10 @@ inline bool is_visible_hit(const Answer& a) {
 inline bool is_blocking_hit(const Answer& a) { return is_visible_hit(a) && a.at != At::source && a.at != At::target; }
 
 /// One method looking at a world. One object a thread; counts into the caller's tally. Prepares every polygon.
+///
+/// Which faces are asked depends on the world's acceleration; the answers do not. In mode `bvh` sf-filtered is asked
+/// only of triangles of which its filter, on vector lanes, is not certain; the certain ones count as tests that the
+/// filter decided.
 class Visibility {
  public:
   Visibility(const World& world, const Method& method, RayTally& tally);
@@ -52,20 +56,32 @@ class Visibility {
   const World& world() const { return world_; }
 
  private:
+  struct Judge;
+
+  std::optional<std::uint32_t> first_in_tree(const Ray& ray);
+  std::optional<std::uint32_t> first_in_list(const Ray& ray);
+
+  /// Calls hit(id) for all hits on a segment, and other(id) for faces that are to be asked, until one returns true.
+  /// Returns how many triangles were certainly missed.
+  template <class Hit, class Other>
+  std::uint64_t along(const Segment& way, RayTally& tally, const Hit& hit, const Other& other);
+
   template <class P>
   Answer ask(const P& probe, std::uint32_t id) const;
   template <class P>
   Answer ask_counted(const P& probe, std::uint32_t id);
-  bool is_nearer(const Ray& ray, std::uint32_t id, std::uint32_t best) const;
+  void count_certain(std::uint64_t tests, std::uint64_t hits);
+  Sign order(const Ray& ray, std::uint32_t id, std::uint32_t other) const;
 
   const World& world_;
   const Method& method_;
+  const bool sifts_;  ///< the method's filter runs on the tree's lanes
   RayTally& tally_;
   std::vector<PreparedPolygon> prepared_;
-  BoxTree::Stack stack_;
+  BoxedFaces::Waiting waiting_;
 };
 
-/// The faces that the tree offers for a probe, without pruning.
+/// The faces that the acceleration offers for a probe, without pruning.
 std::vector<std::uint32_t> candidates(const World& world, const Probe& probe);
 
 /// Parameter of the hit in double, from signed volumes: for shading, and for methods without an order of their own.

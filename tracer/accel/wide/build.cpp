@@ -55,7 +55,7 @@ FrameBox in_frame(const Frame& f, const Box& b) {
 }
 
 using Refs = std::span<BuildRef>;
-using Nodes = std::vector<WideNode>;
+using Nodes = std::vector<WideNode, LargePages<WideNode>>;
 
 /// A part of the primitives on its way to become a child.
 struct Part {
@@ -95,9 +95,8 @@ class WideBuilder {
     tbb::parallel_for(std::uint32_t{0}, count, [&](std::uint32_t i) {
       refs_[i] = {in_frame(tree_.frame_, primitive_(i).box), i};
     });
-    tree_.ids_.resize(count);
-    tree_.columns_.resize(std::size_t{9} * count + leaf_size);
     if (count == 0) return;
+    tree_.columns_.resize(column_count * count + leaf_size);
     const Part all{refs_, extent_in_parallel(refs_), 0};
     tree_.frame_.reach = reach_of(all.extent.box);
     tree_.root_ = grow(all, tree_.nodes_);
@@ -176,17 +175,20 @@ class WideBuilder {
     return {{left, extent_in_parallel(left), p.level + 1}, {right, extent_in_parallel(right), p.level + 1}};
   }
 
-  /// Up to eight parts, in the order of their refs: the largest that is too large for a leaf is cut next.
+  /// Up to eight parts, in the order of their refs. The largest that is too large for a leaf is cut next; if slots are
+  /// left, leaves are, since boxes of one node cost the same however many they are.
   static std::vector<Part> children_of(const Part& whole) {
     std::vector<Part> parts{whole};
     while (parts.size() < node_width) {
-      const auto cost = [](const Part& p) { return p.refs.size() > leaf_size ? p.extent.box.area() : -1; };
-      const auto largest =
-          std::max_element(parts.begin(), parts.end(), [&](const Part& a, const Part& b) { return cost(a) < cost(b); });
-      if (cost(*largest) < 0) break;
-      const auto [left, right] = cut(*largest);
-      *largest = left;
-      parts.insert(largest + 1, right);
+      const auto gain = [](const Part& p) {
+        return std::pair(p.refs.size() > leaf_size, p.refs.size() > 2 ? p.extent.box.area() : -1);
+      };
+      const auto best =
+          std::max_element(parts.begin(), parts.end(), [&](const Part& a, const Part& b) { return gain(a) < gain(b); });
+      if (best->refs.size() <= 2) break;
+      const auto [left, right] = cut(*best);
+      *best = left;
+      parts.insert(best + 1, right);
     }
     return parts;
   }
@@ -244,15 +246,15 @@ class WideBuilder {
     const auto first = static_cast<std::uint32_t>(refs.data() - refs_.data());
     const NodeRef leaf = NodeRef::leaf(first, static_cast<std::uint32_t>(refs.size()));
     std::sort(refs.begin(), refs.end(), [](const BuildRef& a, const BuildRef& b) { return a.id < b.id; });
-    double* column = tree_.columns_.data() + std::size_t{9} * first;
+    double* column = tree_.columns_.data() + column_count * first;
     for (std::size_t lane = 0; lane < refs.size(); ++lane) {
-      tree_.ids_[first + lane] = refs[lane].id;
       const Point3 nowhere(std::numeric_limits<double>::quiet_NaN());
       const Triangle t = primitive_(refs[lane].id).triangle.value_or(Triangle{nowhere, nowhere, nowhere});
       std::size_t k = lane;
       for (const Point3& v : {t.a, t.b, t.c}) {
         for (int i = 0; i < 3; ++i, k += refs.size()) column[k] = v[i];
       }
+      column[k] = refs[lane].id;
     }
     return leaf;
   }

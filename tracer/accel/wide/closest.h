@@ -10,20 +10,20 @@ namespace tribunal {
 
 /// Bounds of the exact parameter of a hit.
 struct HitBounds {
-  double least, greatest;
+  double least = 0, greatest = std::numeric_limits<double>::infinity();
+
+  /// x, or the nearest number within; of a NaN, least.
+  double nearest_to(double x) const { return x >= least ? std::min(x, greatest) : least; }
 };
 
 /// Of a triangle that the ray hits. The hit is at N/D with |N − num|, |D − den| ≤ bound, so where den is certain,
 ///   (|num| − bound)/(|den| + bound) ≤ t ≤ (|num| + bound)/(|den| − bound);
-/// each operation is rounded outward by the law of box.h. Otherwise t is bounded by the ray's span in the box.
-inline HitBounds hit_bounds(const Finding& f, const Ray& ray, const Box& box) {
+/// each operation is rounded outward by the law of box.h.
+inline HitBounds hit_bounds(const Finding& f) {
   const double n = f.den < 0 ? -f.num : f.num, d = f.den < 0 ? -f.den : f.den;
-  if (d > f.bound) {
-    return {std::max(0.0, below(below(n - f.bound) / above(d + f.bound))),
-            above(above(n + f.bound) / below(d - f.bound))};
-  }
-  const Span span = BoxProbe(ray).span(box);
-  return {span.first, span.last};
+  if (!(d > f.bound)) return {};
+  return {std::max(0.0, below(below(n - f.bound) / above(d + f.bound))),
+          above(above(n + f.bound) / below(d - f.bound))};
 }
 
 /// A hit and the bounds of its parameter. `t` is rounded, and within them.
@@ -35,31 +35,33 @@ struct BoundedHit {
 };
 
 /// Keeps the closest hit: least exact t, ties by lowest id. `Judge` has
-///   bool sees(place, id)         whether an uncertain finding is a hit;
-///   Box box(place, id)           of a primitive that is hit;
-///   Sign order(BoundedHit, BoundedHit)   exact sign of t₁ − t₂, asked only where the bounds overlap.
+///   bool sees(place, id)   whether an uncertain finding is a hit;
+///   double latest(place, id)   a bound on the t of a hit of which the walk knows none;
+///   Sign order(hit, other)   exact sign of t₁ − t₂, asked only where bounds overlap.
 template <class Judge>
 class ClosestFinder final : public Finder {
  public:
-  ClosestFinder(const WideTree& tree, const WideProbe& probe, const Ray& ray, Judge& judge)
-      : tree_(tree), probe_(probe), ray_(ray), judge_(judge) {}
+  ClosestFinder(const WideTree& tree, const WideProbe& probe, Judge& judge)
+      : tree_(tree), probe_(probe), judge_(judge) {}
 
   bool found(const Finding& f) override {
     const std::uint32_t id = tree_.id(f.place);
+    certain_ += f.certain;
     if (!f.certain && !judge_.sees(f.place, id)) return false;
-    const bool by_volumes = f.den > f.bound || -f.den > f.bound;
-    const HitBounds bounds = hit_bounds(f, ray_, by_volumes ? Box() : judge_.box(f.place, id));
-    limit = std::min(limit, probe_.limit_at(bounds.greatest));
-    const BoundedHit hit{f.place, id, within(bounds, f.num / f.den), bounds};
+    const HitBounds bounds = hit_bounds(f);
+    const bool bounded = bounds.greatest < std::numeric_limits<double>::infinity();
+    limit = std::min(limit, probe_.limit_at(bounded ? bounds.greatest : judge_.latest(f.place, id)));
+    const BoundedHit hit{f.place, id, bounds.nearest_to(f.num / f.den), bounds};
     if (!best_ || is_closer(hit, *best_)) best_ = hit;
     return false;
   }
 
   const std::optional<BoundedHit>& best() const { return best_; }
 
- private:
-  static double within(const HitBounds& b, double t) { return t >= b.least ? std::min(t, b.greatest) : b.least; }
+  /// How many hits were certain.
+  std::uint64_t certain() const { return certain_; }
 
+ private:
   bool is_closer(const BoundedHit& hit, const BoundedHit& than) const {
     if (hit.bounds.greatest < than.bounds.least) return true;
     if (hit.bounds.least > than.bounds.greatest) return false;
@@ -69,9 +71,15 @@ class ClosestFinder final : public Finder {
 
   const WideTree& tree_;
   const WideProbe& probe_;
-  const Ray& ray_;
   Judge& judge_;
   std::optional<BoundedHit> best_;
+  std::uint64_t certain_ = 0;
 };
+
+/// A bound on the t at which a ray hits something in a box.
+inline double latest_in(const Box& box, const Ray& ray) {
+  const Span span = BoxProbe(ray).span(box);
+  return span.empty() ? std::numeric_limits<double>::infinity() : span.last;
+}
 
 }  // namespace tribunal

@@ -9,7 +9,7 @@ namespace {
 constexpr double smallest_component = 0x1p-60, farthest_start = 0x1p30;
 constexpr std::uint64_t exponent_bits = 0x7ff0000000000000;
 
-double largest(const Point3& p) { return std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}); }
+double largest(const Point3& p) { return std::max(std::max(std::fabs(p.x), std::fabs(p.y)), std::fabs(p.z)); }
 
 /// 2^e for a normal x with 2^e ≤ |x| < 2^(e+1); 0 for a subnormal one.
 double power_below(double x) { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & exponent_bits); }
@@ -43,13 +43,11 @@ WideProbe::WideProbe(const Point3& o, const Point3& d, double growth, const Fram
   const double inverse = 1 / power;
   for (int i = 0; i < 3; ++i) {
     const double delta = brought[i] * inverse;
-    const bool forward = delta >= 0;
     const double magnitude = std::max(std::fabs(delta), smallest_component);
-    const float r = static_cast<float>(1 / (forward ? magnitude : -magnitude));
+    const float r = static_cast<float>(std::copysign(1 / magnitude, delta));
     const double c = s[i] * static_cast<double>(r), e = widening * std::fabs(static_cast<double>(r));
-    const auto axis = static_cast<std::uint32_t>(i);
-    axes[axis] = {r, static_cast<float>(c + e), static_cast<float>(c - e), axis + (forward ? 0 : 3),
-                  axis + (forward ? 3 : 0)};
+    const std::uint32_t axis = static_cast<std::uint32_t>(i), backward = std::signbit(delta) ? 3 : 0;
+    axes[axis] = {r, static_cast<float>(c + e), static_cast<float>(c - e), axis + backward, axis + 3 - backward};
   }
 }
 

@@ -24,9 +24,11 @@
 // A probe that the frame cannot hold (S above 2³⁰, or the scale out of range) gets r and c such that it meets every
 // box. It then tests every triangle, which is slow and right.
 //
-// Price: boxes grow by E, two millionths of the distance from the probe's start to the far side of the scene.
-// Compare Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013; Wächter and Binder's offsets; Embree's robust mode widens
-// likewise, by 3 ulps of each product, for rays whose origin is exact in binary32.
+// Price: boxes grow by E, a millionth of the distance from the probe's start to the far side of the scene; and they are
+// rounded outward to binary32, 2⁻²⁴ of the scene. A scene a million times larger than its triangles gets blunt boxes.
+// Compare Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013, who widens the far side by ulps of its t, for boxes and
+// rays that are exact in their format; with subtraction before multiplication, errors are relative to t and need no
+// frame.
 #pragma once
 
 #include <array>

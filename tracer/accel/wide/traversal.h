@@ -28,9 +28,9 @@ class Finder {
   ~Finder() = default;
 };
 
-/// What a walk did.
+/// What a walk did: box tests, eight a node; triangles that were certainly missed.
 struct WalkCounts {
-  std::uint64_t boxes = 0, triangles = 0;
+  std::uint64_t boxes = 0, missed = 0;
 };
 
 /// Law of all walks: every primitive that the probe exactly meets at t ≤ limit is found, but for those that are

@@ -1,6 +1,8 @@
 // The walk on vector lanes. Included by files that are compiled for one instruction set each.
 #pragma once
 
+#include <hwy/cache_control.h>
+
 #include <bit>
 
 #include "exact/filtered/batch/lanes.h"
@@ -13,6 +15,7 @@ using BoxTag = hn::CappedTag<float, node_width>;
 using BoxVector = hn::Vec<BoxTag>;
 
 inline constexpr BoxTag box_tag;
+inline constexpr std::size_t cache_line = 64;
 
 /// The constants of a probe in every lane.
 struct BoxLanes {
@@ -82,11 +85,20 @@ class WaitingNodes {
   std::uint64_t keys_[depth * (node_width - 1) + node_width];
 };
 
+/// Asks for the first cache lines of a node or leaf that will be wanted.
+HWY_INLINE void prefetch(const WideTree& tree, NodeRef r) {
+  const void* const start = r.is_leaf() ? static_cast<const void*>(tree.columns(r)) : tree.nodes() + r.index();
+  for (std::size_t offset = 0; offset < 256; offset += cache_line)
+    hwy::Prefetch(static_cast<const char*>(start) + offset);
+}
+
 /// Pushes the children that are met; the one entered first is returned. Not for none.
-HWY_INLINE std::uint64_t first_of(const WideNode& node, unsigned met, const float* entry, WaitingNodes& waiting) {
+HWY_INLINE std::uint64_t first_of(const WideTree& tree, const WideNode& node, unsigned met, const float* entry,
+                                  WaitingNodes& waiting) {
   const auto next = [&] {
     const auto k = static_cast<std::size_t>(std::countr_zero(met));
     met &= met - 1;
+    prefetch(tree, node.child[k]);
     return WaitingNodes::key(entry[k], node.child[k]);
   };
   const std::uint64_t a = next();
@@ -123,7 +135,7 @@ HWY_INLINE void walk(const WideTree& tree, const WideProbe& probe, const Finder&
       counts.boxes += node_width;
       const unsigned met = lanes.entered(node, finder.limit, entry);
       descend = met != 0;
-      if (descend) at = NodeRef(static_cast<std::uint32_t>(first_of(node, met, entry, waiting)));
+      if (descend) at = NodeRef(static_cast<std::uint32_t>(first_of(tree, node, met, entry, waiting)));
     }
     while (!descend) {
       if (waiting.empty()) return;
@@ -142,7 +154,7 @@ class LeafSieve {
       : source_(broadcast(tribunal::source(probe))), target_(broadcast(vector_of(tribunal::target(probe)))) {}
 
   /// Tells of the triangles of a leaf that are not certainly missed.
-  HWY_INLINE bool sift(const WideTree& tree, NodeRef leaf, Finder& finder) const {
+  HWY_INLINE bool sift(const WideTree& tree, NodeRef leaf, Finder& finder, WalkCounts& counts) const {
     const double* const column = tree.columns(leaf);
     const std::size_t count = leaf.count();
     constexpr std::size_t step = HWY_LANES(double);
@@ -156,6 +168,7 @@ class LeafSieve {
       const Lanes margin = margin_of(volumes);
       const unsigned safe = in_range(m, constants_).bits();
       const unsigned missed = certain_miss(margin, bound).bits() & safe;
+      counts.missed += static_cast<unsigned>(std::popcount(missed & present));
       const unsigned rest = present & ~missed;
       if (HWY_LIKELY(rest == 0)) continue;
       const unsigned hit = certain_hit(margin, bound).bits() & safe;
@@ -210,15 +223,12 @@ template <class P>
 [[gnu::flatten]] void sift(const WideTree& tree, const WideProbe& probe, const P& exact_probe, Finder& finder,
                            WalkCounts& counts) {
   const LeafSieve<P> sieve(exact_probe);
-  walk(tree, probe, finder, counts, [&](NodeRef leaf) {
-    counts.triangles += leaf.count();
-    return sieve.sift(tree, leaf, finder);
-  });
+  walk(tree, probe, finder, counts, [&](NodeRef leaf) { return sieve.sift(tree, leaf, finder, counts); });
 }
 
-inline void visit_all(const WideTree& tree, const WideProbe& probe, Finder& finder, WalkCounts& counts) {
+[[gnu::flatten]] inline void visit_all(const WideTree& tree, const WideProbe& probe, Finder& finder,
+                                       WalkCounts& counts) {
   walk(tree, probe, finder, counts, [&](NodeRef leaf) {
-    counts.triangles += leaf.count();
     for (std::uint32_t lane = 0; lane < leaf.count(); ++lane) {
       if (finder.found({{leaf, lane}, false, 0, 0, std::numeric_limits<double>::infinity()})) return true;
     }

@@ -12,7 +12,7 @@ Triangle WideTree::triangle(Place p) const {
 }
 
 std::size_t WideTree::bytes() const {
-  return nodes_.size() * sizeof(WideNode) + columns_.size() * sizeof(double) + ids_.size() * sizeof(std::uint32_t);
+  return nodes_.capacity() * sizeof(WideNode) + columns_.capacity() * sizeof(double);
 }
 
 }  // namespace tribunal

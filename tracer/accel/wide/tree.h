@@ -11,10 +11,11 @@
 #include <vector>
 
 #include "tracer/accel/box.h"
+#include "tracer/accel/wide/large_pages.h"
 
 namespace tribunal {
 
-inline constexpr std::size_t node_width = 8, leaf_size = 8;
+inline constexpr std::size_t node_width = 8, leaf_size = 8, column_count = 10;
 
 /// What a slot of a node refers to: a node by its index, or a leaf by its first triangle and their number.
 class NodeRef {
@@ -51,6 +52,8 @@ struct Frame {
 struct alignas(32) WideNode {
   float plane[6][node_width];
   NodeRef child[node_width];
+
+  bool is_empty(std::size_t k) const { return plane[0][k] > plane[3][k]; }
 };
 
 /// A primitive for the tree: what bounds it and, if it is a triangle, what it is. Others are asked of the caller.
@@ -65,8 +68,9 @@ struct Place {
   std::uint32_t lane;
 };
 
-/// The tree. Leaves hold their triangles by columns (a.x of all, a.y of all, …, c.z of all) without gaps, so that 8
-/// lanes load them at once; a primitive that is no triangle has NaN there, of which no filter is certain.
+/// The tree. Leaves hold their triangles by columns (a.x of all, a.y of all, …, c.z of all, and the ids, as doubles)
+/// without gaps, so that 8 lanes load them at once; a primitive that is no triangle has NaN there, of which no filter
+/// is certain.
 class WideTree {
  public:
   WideTree() = default;
@@ -75,18 +79,32 @@ class WideTree {
   /// it. Coordinates must be finite. Throws std::length_error beyond 2²⁸ primitives.
   WideTree(std::uint32_t count, const std::function<Primitive(std::uint32_t)>& primitive);
 
-  bool empty() const { return ids_.empty(); }
+  bool empty() const { return columns_.empty(); }
   NodeRef root() const { return root_; }
   const Frame& frame() const { return frame_; }
   const WideNode* nodes() const { return nodes_.data(); }
 
   /// Columns of a leaf, each `count` long; 8 numbers may be read from the start of each.
-  const double* columns(NodeRef leaf) const { return columns_.data() + std::size_t{9} * leaf.first(); }
+  const double* columns(NodeRef leaf) const { return columns_.data() + column_count * leaf.first(); }
 
-  std::uint32_t id(Place p) const { return ids_[p.leaf.first() + p.lane]; }
+  std::uint32_t id(Place p) const { return static_cast<std::uint32_t>(columns(p.leaf)[9 * p.leaf.count() + p.lane]); }
 
   /// Its coordinates, bit for bit; NaN if it is no triangle.
   Triangle triangle(Place p) const;
+
+  /// Calls visit(place) for every primitive.
+  template <class Visit>
+  void for_each_place(const Visit& visit) const {
+    const auto visit_leaf = [&](NodeRef r) {
+      for (std::uint32_t lane = 0; lane < r.count(); ++lane) visit(Place{r, lane});
+    };
+    if (root_.is_leaf() && !empty()) visit_leaf(root_);
+    for (const WideNode& node : nodes_) {
+      for (std::size_t k = 0; k < node_width && !node.is_empty(k); ++k) {
+        if (node.child[k].is_leaf()) visit_leaf(node.child[k]);
+      }
+    }
+  }
 
   std::size_t node_count() const { return nodes_.size(); }
   std::size_t bytes() const;
@@ -96,9 +114,8 @@ class WideTree {
 
   Frame frame_;
   NodeRef root_;
-  std::vector<WideNode> nodes_;
-  std::vector<double> columns_;
-  std::vector<std::uint32_t> ids_;
+  std::vector<WideNode, LargePages<WideNode>> nodes_;
+  std::vector<double, LargePages<double>> columns_;
 };
 
 }  // namespace tribunal

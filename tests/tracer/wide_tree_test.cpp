@@ -1,0 +1,498 @@
+// The tree of eight boxes a node: it loses no box that is exactly met, on any target, and closest hits are those of
+// exact arithmetic.
+#include <gmpxx.h>
+#include <tbb/global_control.h>
+
+#include <cmath>
+#include <cstring>
+#include <set>
+
+#include "exact/filtered/batch.h"
+#include "tests/tracer/support.h"
+#include "tracer/accel/triangle_tree.h"
+#include "tracer/accel/wide/traversal.h"
+#include "tracer/shading/visibility.h"
+
+namespace tribunal {
+namespace {
+
+using testing::method;
+using testing::Random;
+
+/// Runs a test once a target that the machine has.
+class OnEveryTarget : public ::testing::TestWithParam<std::string_view> {
+ protected:
+  void SetUp() override { force_batch_target(GetParam()); }
+  void TearDown() override { force_batch_target({}); }
+};
+
+INSTANTIATE_TEST_SUITE_P(Targets, OnEveryTarget, ::testing::ValuesIn(batch_targets()),
+                         [](const auto& i) { return std::string(i.param == "AVX-512" ? "AVX512" : i.param); });
+
+// --- boxes --------------------------------------------------------------------------------------------------------
+
+/// Whether o + t·d is in the closed box for some 0 ≤ t ≤ end, exactly; `first` is the least such t.
+struct ExactMeeting {
+  bool meets = true;
+  mpq_class first = 0, last;
+  bool bounded = false;
+};
+
+ExactMeeting exact_meeting(const Point3& o, const std::array<mpq_class, 3>& d, bool segment, const Box& b) {
+  ExactMeeting m;
+  if (segment) m.bounded = true, m.last = 1;
+  for (int i = 0; i < 3; ++i) {
+    const mpq_class& along = d[static_cast<std::size_t>(i)];
+    const mpq_class from(o[i]), lo(b.lo[i]), hi(b.hi[i]);
+    if (along == 0) {
+      m.meets &= lo <= from && from <= hi;
+      continue;
+    }
+    mpq_class in = (lo - from) / along, out = (hi - from) / along;
+    if (in > out) std::swap(in, out);
+    if (in > m.first) m.first = in;
+    if (!m.bounded || out < m.last) m.last = out;
+    m.bounded = true;
+  }
+  m.meets &= !m.bounded || m.first <= m.last;
+  return m;
+}
+
+ExactMeeting exact_meeting(const Ray& r, const Box& b) {
+  return exact_meeting(r.o, {mpq_class(r.d.v.x), mpq_class(r.d.v.y), mpq_class(r.d.v.z)}, false, b);
+}
+
+ExactMeeting exact_meeting(const Segment& s, const Box& b) {
+  const auto d = [&](int i) { return mpq_class(mpq_class(s.q[i]) - mpq_class(s.p[i])); };
+  return exact_meeting(s.p, {d(0), d(1), d(2)}, true, b);
+}
+
+struct Collector final : Finder {
+  explicit Collector(const WideTree& t) : tree(t) {}
+  bool found(const Finding& f) override {
+    ids.insert(tree.id(f.place));
+    return false;
+  }
+  const WideTree& tree;
+  std::set<std::uint32_t> ids;
+};
+
+std::set<std::uint32_t> offered(const WideTree& tree, const WideProbe& probe, float limit) {
+  Collector collector(tree);
+  collector.limit = limit;
+  WalkCounts counts;
+  tree_target().visit_all(tree, probe, collector, counts);
+  return collector.ids;
+}
+
+WideTree tree_over(const std::vector<Box>& boxes) {
+  return WideTree(static_cast<std::uint32_t>(boxes.size()), [&](std::uint32_t i) { return Primitive{boxes[i], {}}; });
+}
+
+struct BoxScore {
+  int met = 0, lost = 0, offered = 0, asked = 0;
+};
+
+/// Counts boxes that are met and not offered: among all, and, for rays, with the limit at the first t in the box.
+/// `spoil` may change the probe.
+template <class P, class Spoil>
+void score(const std::vector<Box>& boxes, const WideTree& tree, const P& probe, const Spoil& spoil, BoxScore& s) {
+  WideProbe wide(probe, tree.frame());
+  spoil(wide);
+  const float end = std::is_same_v<P, Segment> ? wide.limit_at(1) : WideProbe::far_away;
+  const std::set<std::uint32_t> all = offered(tree, wide, end);
+  s.offered += static_cast<int>(all.size());
+  s.asked += static_cast<int>(boxes.size());
+  for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+    const ExactMeeting m = exact_meeting(probe, boxes[i]);
+    if (!m.meets) continue;
+    ++s.met;
+    s.lost += all.count(i) == 0;
+    const double t = above(m.first.get_d());
+    if (std::is_same_v<P, Ray>) s.lost += offered(tree, wide, wide.limit_at(t)).count(i) == 0;
+  }
+}
+
+const auto unspoilt = [](WideProbe&) {};
+
+const double nasty[] = {0.0,
+                        -0.0,
+                        1.0,
+                        -1.0,
+                        0x1p-1074,
+                        -0x1p-1074,
+                        0x1p-1022,
+                        -0x1p-1022,
+                        1.0 / 3,
+                        0x1p40,
+                        -0x1p40,
+                        0x1p1023,
+                        -0x1p1023,
+                        0x1.fffffffffffffp1023,
+                        -0x1.fffffffffffffp1023,
+                        0.1,
+                        0x1p-600,
+                        0x1p600,
+                        7,
+                        -5.5,
+                        0x1.0000000000001p0};
+
+Point3 nasty_point(Random& random, int most) {
+  Point3 p;
+  for (int i = 0; i < 3; ++i) p[i] = nasty[random.below(static_cast<std::size_t>(most))];
+  return p;
+}
+
+Box box_between(const Point3& a, const Point3& b) {
+  Box box;
+  box.add(a);
+  box.add(b);
+  return box;
+}
+
+template <class P>
+void nasty_boxes(std::uint64_t seed, BoxScore& s) {
+  Random random(seed);
+  for (int round = 0; round < 60; ++round) {
+    const int most = round % 2 == 0 ? 21 : 10;  // with and without the ends of the range
+    std::vector<Box> boxes;
+    for (int i = 0; i < 24; ++i) {
+      const Point3 a = nasty_point(random, most);
+      boxes.push_back(box_between(a, nasty_point(random, most)));
+    }
+    const WideTree tree = tree_over(boxes);
+    for (int i = 0; i < 20; ++i) {
+      const Point3 o = nasty_point(random, 21);
+      const Point3 d = nasty_point(random, 21);
+      if constexpr (std::is_same_v<P, Ray>) score(boxes, tree, Ray{o, {d}}, unspoilt, s);
+      if constexpr (std::is_same_v<P, Segment>) score(boxes, tree, Segment{o, d}, unspoilt, s);
+    }
+  }
+}
+
+TEST_P(OnEveryTarget, LosesNoNastyBox) {
+  BoxScore rays, segments;
+  nasty_boxes<Ray>(1, rays);
+  nasty_boxes<Segment>(2, segments);
+  EXPECT_EQ(rays.lost, 0);
+  EXPECT_EQ(segments.lost, 0);
+  EXPECT_GT(rays.met, 1500);
+  EXPECT_GT(segments.met, 1000);
+}
+
+/// Cells of a lattice, and rays that touch many of them in exactly one corner, start there or run in their faces.
+template <class Spoil>
+BoxScore lattice_score(std::uint64_t seed, const Point3& offset, double scale, const Spoil& spoil) {
+  Random random(seed);
+  const auto at = [&](double x, double y, double z) { return offset + scale * Point3(x, y, z); };
+  BoxScore s;
+  for (int round = 0; round < 10; ++round) {
+    std::vector<Box> boxes;
+    for (int i = 0; i < 60; ++i) {
+      const int x = random.within(0, 12), y = random.within(0, 12), z = random.within(0, 12);
+      const int w = random.within(0, 2);
+      boxes.push_back(box_between(at(x, y, z), at(x + w, y + 1, z + 1)));
+    }
+    const WideTree tree = tree_over(boxes);
+    for (int i = 0; i < 40; ++i) {
+      const Box& target = boxes[random.below(boxes.size())];
+      const int x = random.within(-12, 24), y = random.within(-12, 24), z = random.within(-12, 24);
+      const Point3 corner(random.below(2) == 0 ? target.lo.x : target.hi.x, target.lo.y, target.hi.z);
+      const Point3 inside = at(x, y, z), steep = corner + scale * Point3((x % 2) * 0x1p-12, y, z);
+      const Ray rays[] = {{inside, {corner - inside}}, {corner, {inside - corner}}, {steep, {corner - steep}}};
+      score(boxes, tree, rays[i % 3], spoil, s);
+    }
+  }
+  return s;
+}
+
+TEST_P(OnEveryTarget, LosesNoBoxTouchedInACorner) {
+  const double scales[] = {1, 0x1p-1074, 0x1p-1060, 0x1p-500, 0x1p900, 0x1p1013};
+  for (const double scale : scales) {
+    const BoxScore s = lattice_score(3, Point3(0), scale, unspoilt);
+    EXPECT_EQ(s.lost, 0) << "scale " << scale;
+    EXPECT_GT(s.met, 400);
+  }
+  for (const double offset : {1.0, 0x1p20, 0x1p40, 0x1p48}) {
+    const BoxScore s = lattice_score(4, Point3(offset, -offset, offset), 1, unspoilt);
+    EXPECT_EQ(s.lost, 0) << "offset " << offset;
+    EXPECT_LT(s.offered, s.asked / 3) << "boxes are not sharp at offset " << offset;
+  }
+}
+
+/// Planted bug: the corpus above would not let it pass.
+TEST_P(OnEveryTarget, TheCornersCatchAProbeThatIsNotWidened) {
+  const auto narrow = [](WideProbe& p) {
+    for (auto& a : p.axes) a.near_c = a.far_c = 0.5F * (a.near_c + a.far_c);
+  };
+  EXPECT_GT(lattice_score(3, Point3(0), 1, narrow).lost, 0);
+}
+
+/// How far near and far of probe.h are from the exact τ at which a ray passes a plane, in widenings |r|·E: fused, and
+/// not.
+struct PlaneErrors {
+  double near = -1e9, far = -1e9;  ///< the greatest of near − τ and τ − far: the claim is that both are negative
+};
+
+PlaneErrors plane_errors(const std::function<void(WideProbe::Axis&)>& spoil) {
+  Random random(21);
+  PlaneErrors worst;
+  for (int i = 0; i < 20000; ++i) {
+    const Frame frame{Point3(0), 1, 1};
+    const Point3 o = random.point(std::ldexp(1.0, random.within(-3, 6)));
+    Point3 d = random.point(1);
+    d.x = std::ldexp(d.x, -random.within(0, 20));
+    const WideProbe probe(Ray{o, {d}}, frame);
+    WideProbe::Axis a = probe.axes[0];
+    const double e = 0.5 * (double{a.near_c} - double{a.far_c});
+    spoil(a);
+    const auto plane = static_cast<float>(2 * random.unit() - 1);
+    int exponent = 0;
+    std::frexp(std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)}), &exponent);
+    const double delta = std::ldexp(d.x, 1 - exponent);
+    const mpq_class exact = (mpq_class(double{plane}) - mpq_class(o.x)) / mpq_class(delta);
+    const volatile float product = plane * a.r;
+    for (const float near : {std::fmaf(plane, a.r, -a.near_c), product - a.near_c}) {
+      worst.near = std::max(worst.near, mpq_class(mpq_class(double{near}) - exact).get_d() / e);
+    }
+    for (const float far : {std::fmaf(plane, a.r, -a.far_c), product - a.far_c}) {
+      worst.far = std::max(worst.far, mpq_class(exact - mpq_class(double{far})).get_d() / e);
+    }
+  }
+  return worst;
+}
+
+TEST(WideProbe, PassesEachPlaneWithinItsBounds) {
+  const PlaneErrors worst = plane_errors([](WideProbe::Axis&) {});
+  EXPECT_LT(worst.near, -0.5) << "half of the widening is for other rounding modes";
+  EXPECT_LT(worst.far, -0.5);
+  EXPECT_GT(worst.near, -0.95) << "the widening is more than 20 times the errors";
+}
+
+/// Planted bugs: only one side widened, and a widening that is 16 times too small.
+TEST(WideProbe, TheBoundsCatchAMissingOrASmallWidening) {
+  const auto middle = [](const WideProbe::Axis& a) { return static_cast<float>(0.5 * (double{a.near_c} + a.far_c)); };
+  EXPECT_GT(plane_errors([&](WideProbe::Axis& a) { a.near_c = middle(a); }).near, 0);
+  EXPECT_GT(plane_errors([&](WideProbe::Axis& a) { a.far_c = middle(a); }).far, 0);
+  const PlaneErrors small = plane_errors([&](WideProbe::Axis& a) {
+    const float m = middle(a);
+    a.near_c = m + (a.near_c - m) / 16;
+    a.far_c = m - (m - a.far_c) / 16;
+  });
+  EXPECT_GT(small.near, 0);
+  EXPECT_GT(small.far, 0);
+}
+
+// --- closest hits -------------------------------------------------------------------------------------------------
+
+/// Lattice triangles (shared planes, corners and edges, some without area) and slivers.
+std::vector<Triangle> soup(Random& random, const Point3& offset, double scale, int count) {
+  std::vector<Triangle> triangles;
+  const auto lattice = [&] {
+    const int x = random.within(0, 4), y = random.within(0, 4), z = random.within(0, 4);
+    return offset + scale * Point3(x, y, z);
+  };
+  for (int i = 0; i < count; ++i) {
+    const Point3 a = lattice();
+    const Point3 b = lattice();
+    const Point3 c = i % 4 == 0 ? 0.5 * (a + b) + (scale * 0x1p-30) * random.point(1) : lattice();
+    triangles.push_back({a, b, c});
+    if (i % 8 == 0) triangles.push_back({b, a, c});  // a tie wherever it is hit
+  }
+  return triangles;
+}
+
+/// At vertices, midpoints of edges and points of faces, in planes of faces, along axes, from afar and from inside.
+Ray aimed(Random& random, const std::vector<Triangle>& triangles, double scale) {
+  const Triangle& t = triangles[random.below(triangles.size())];
+  const Triangle& u = triangles[random.below(triangles.size())];
+  const Point3 targets[] = {t.a, 0.5 * (t.a + t.b), t.a + 0.25 * (t.b - t.a) + 0.25 * (t.c - t.a), t.c};
+  const Point3 target = targets[random.below(4)];
+  const Point3 elsewhere = target + scale * random.point(8);
+  Point3 axis(random.below(2) == 0 ? -0.0 : 0.0);
+  axis[static_cast<int>(random.below(3))] = random.below(2) == 0 ? scale : -scale;
+  switch (random.below(5)) {
+    case 0:
+      return {target - 8.0 * axis, {axis}};
+    case 1:
+      return {u.b, {target - u.b}};
+    case 2:
+      return {elsewhere, {target - elsewhere}};
+    case 3:
+      return {t.b, {t.a - t.b}};
+    default:
+      return {target, {scale * random.point(1)}};
+  }
+}
+
+/// The closest hit by a test of every triangle over rationals.
+std::optional<std::uint32_t> brute_force(const std::vector<Triangle>& triangles, const Ray& ray) {
+  const Method& m = method("sf-rational");
+  std::optional<std::uint32_t> best;
+  if (!is_finite(ray)) return best;
+  for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+    if (!is_visible_hit(m.ray(ray, triangles[i]))) continue;
+    if (!best || m.compare_hits(ray, triangles[i], triangles[*best]) == Sign::negative) best = i;
+  }
+  return best;
+}
+
+struct Place3 {
+  double offset, scale;
+};
+
+TEST_P(OnEveryTarget, ClosestHitIsThatOfExactArithmetic) {
+  const Place3 places[] = {{0, 1},       {0x1p40, 1},   {0x1p50, 1},       {0, 0x1p-1072}, {0, 0x1p-300},
+                           {0, 0x1p900}, {0, 0x1p1015}, {0x1p20, 0x1p-20}, {-3, 1},        {0x1p900, 0x1p860}};
+  int hits = 0;
+  for (const Place3& place : places) {
+    Random random(11);
+    const std::vector<Triangle> triangles =
+        soup(random, Point3(place.offset, -place.offset, place.offset), place.scale, 60);
+    const TriangleTree tree(triangles);
+    for (int i = 0; i < 120; ++i) {
+      const Ray ray = aimed(random, triangles, place.scale);
+      const auto expected = brute_force(triangles, ray);
+      const auto found = tree.closest(ray);
+      ASSERT_EQ(expected.has_value(), found.has_value()) << place.offset << " " << place.scale << " ray " << i;
+      if (!expected) continue;
+      ++hits;
+      ASSERT_EQ(*expected, found->id) << "offset " << place.offset << " scale " << place.scale << " ray " << i;
+      ASSERT_GE(found->t, 0);
+    }
+  }
+  EXPECT_GT(hits, 400);
+}
+
+/// Rays whose direction is far longer or shorter than the scene is large.
+TEST_P(OnEveryTarget, TheLengthOfADirectionDoesNotMatter) {
+  Random random(12);
+  const std::vector<Triangle> triangles = soup(random, Point3(0), 1, 60);
+  const TriangleTree tree(triangles);
+  for (int i = 0; i < 200; ++i) {
+    const Ray ray = aimed(random, triangles, 1);
+    const auto expected = tree.closest(ray);
+    for (const double factor : {0x1p-900, 0x1p-30, 0x1p30, 0x1p1000}) {
+      const auto found = tree.closest({ray.o, {factor * ray.d.v}});
+      ASSERT_EQ(expected.has_value(), found.has_value());
+      ASSERT_TRUE(!expected || expected->id == found->id);
+    }
+  }
+}
+
+/// t lies within proved bounds of the exact parameter.
+TEST_P(OnEveryTarget, ParametersAreAccurate) {
+  Random random(13);
+  const std::vector<Triangle> triangles = soup(random, Point3(0), 1, 100);
+  const TriangleTree tree(triangles);
+  int compared = 0;
+  for (int i = 0; i < 500; ++i) {
+    const Point3 o = random.point(8);
+    const Ray ray{o, {Point3(2) + random.point(2) - o}};
+    const auto found = tree.closest(ray);
+    if (!found) continue;
+    const HitParameter<double> p = hit_parameter<double>(ray, triangles[found->id]);
+    EXPECT_NEAR(found->t, p.num / p.den, 1e-9 * std::fabs(found->t));
+    ++compared;
+  }
+  EXPECT_GT(compared, 50);
+}
+
+TEST(TriangleTree, OfNothingIsNeverHit) {
+  EXPECT_FALSE(TriangleTree({}).closest({{0, 0, 0}, {{1, 0, 0}}}).has_value());
+  const Triangle one[] = {{{0, 0, 1}, {1, 0, 1}, {0, 1, 1}}};
+  const TriangleTree tree(one);
+  EXPECT_EQ(tree.closest({{0.25, 0.25, 0}, {{0, 0, 2}}})->t, 0.5);
+  EXPECT_FALSE(tree.closest({{0.25, 0.25, 0}, {{0, 0, 0}}}).has_value()) << "a ray without direction";
+  EXPECT_FALSE(tree.closest({{0.25, 0.25, 0}, {{0, 0, std::nan("")}}}).has_value());
+}
+
+// --- size and determinism -----------------------------------------------------------------------------------------
+
+/// A bumpy sphere of 2·n² triangles or so.
+Mesh bumpy_sphere(std::uint32_t n) {
+  Mesh mesh;
+  for (std::uint32_t j = 0; j <= n; ++j) {
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const double polar = 3.14 * (j + 0.5) / (n + 1), turn = 6.28 * i / n;
+      const double r = 1 + 0.1 * std::sin(9 * turn) * std::sin(7 * polar);
+      mesh.vertices.push_back(
+          r * Point3(std::sin(polar) * std::cos(turn), std::sin(polar) * std::sin(turn), std::cos(polar)));
+    }
+  }
+  for (std::uint32_t j = 0; j < n; ++j) {
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const std::uint32_t a = j * n + i, b = j * n + (i + 1) % n;
+      mesh.triangles.push_back({a, b, a + n});
+      mesh.triangles.push_back({b, b + n, a + n});
+    }
+  }
+  return mesh;
+}
+
+std::vector<Triangle> triangles_of(const Mesh& mesh) {
+  std::vector<Triangle> list;
+  for (const auto& t : mesh.triangles) list.push_back({mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]});
+  return list;
+}
+
+TEST(WideTree, DoesNotDependOnTheNumberOfThreads) {
+  const std::vector<Triangle> triangles = triangles_of(bumpy_sphere(200));
+  const auto build = [&](std::size_t threads) {
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    return WideTree(static_cast<std::uint32_t>(triangles.size()), [&](std::uint32_t i) {
+      return Primitive{box_of(triangles[i]), triangles[i]};
+    });
+  };
+  const auto ids = [](const WideTree& tree) {
+    std::vector<std::uint32_t> list;
+    tree.for_each_place([&](Place p) { list.push_back(tree.id(p)); });
+    return list;
+  };
+  const WideTree one = build(1);
+  for (const std::size_t threads : {2u, 3u, 7u}) {
+    const WideTree other = build(threads);
+    ASSERT_EQ(one.node_count(), other.node_count());
+    EXPECT_EQ(std::memcmp(one.nodes(), other.nodes(), one.node_count() * sizeof(WideNode)), 0);
+    EXPECT_EQ(ids(one), ids(other));
+  }
+  EXPECT_EQ(ids(one).size(), triangles.size());
+}
+
+TEST(WideTree, KeepsTrianglesBitForBit) {
+  const std::vector<Triangle> triangles = triangles_of(bumpy_sphere(20));
+  const WideTree tree(static_cast<std::uint32_t>(triangles.size()), [&](std::uint32_t i) {
+    return Primitive{box_of(triangles[i]), triangles[i]};
+  });
+  tree.for_each_place([&](Place p) {
+    const Triangle kept = tree.triangle(p);
+    EXPECT_EQ(std::memcmp(&kept, &triangles[tree.id(p)], sizeof kept), 0);
+  });
+}
+
+/// The whole world: tree, triangles, ids, solids, and the scene's mesh that it was made of.
+TEST(WideTree, TakesAtMost160BytesATriangle) {
+  Scene scene;
+  scene.solids.push_back({"", bumpy_sphere(224), {}});
+  const World world = make_world(scene, Format::binary64, Accel::bvh);
+  const Mesh& mesh = scene.solids[0].mesh;
+  const double count = static_cast<double>(mesh.triangles.size());
+  const std::size_t bytes = world.triangles.bytes() + world.solid_of.capacity() * sizeof world.solid_of[0] +
+                            world.polygon_of.capacity() * sizeof world.polygon_of[0] +
+                            mesh.vertices.size() * sizeof(Point3) + mesh.triangles.size() * sizeof mesh.triangles[0];
+  RecordProperty("bytes_per_triangle", std::to_string(static_cast<double>(bytes) / count));
+  EXPECT_GT(count, 100000);
+  EXPECT_LE(static_cast<double>(bytes) / count, 160);
+  EXPECT_LE(static_cast<double>(TriangleTree(triangles_of(mesh)).bytes()) / count, 100);
+}
+
+/// Equal boxes cannot be parted by cost; all primitives are found all the same.
+TEST(WideTree, HandlesEqualBoxes) {
+  const std::vector<Box> boxes(5000, box_between(Point3(0), Point3(1)));
+  const WideTree tree = tree_over(boxes);
+  const WideProbe probe(Ray{{0.5, 0.5, -1}, {{0, 0, 1}}}, tree.frame());
+  EXPECT_EQ(offered(tree, probe, WideProbe::far_away).size(), boxes.size());
+}
+
+}  // namespace
+}  // namespace tribunal
