@@ -89,7 +89,8 @@ CaseHead to_case_head(const Json& object, const Where& where) {
 
 Case to_case(const Json& object, const Where& where) {
   require_keys(object, {"id", "fmt", "seg", "ray", "tri", "rings", "expect", "class", "source", "finding"}, where);
-  if (object.contains("rings")) where.key("rings").fail("triangles are certified apart from polygons, expected \"tri\", or --polygons");
+  if (object.contains("rings"))
+    where.key("rings").fail("triangles are certified apart from polygons, expected \"tri\", or --polygons");
   CaseHead head = to_case_head(object, where);
   if (!object.contains("tri")) where.fail("missing \"tri\" or \"rings\"");
   const Triangle triangle = to_triangle(object["tri"], head.format, where.key("tri"));
