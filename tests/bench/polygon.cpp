@@ -86,6 +86,14 @@ struct HainesTuned : Classical<double> {
   static bool meets(const Prepared& c, const Segment& s) { return meets_tuned(c, s); }
 };
 
+struct SfTuned {
+  static constexpr const char* name = "sf_tuned";
+  static constexpr bool exact = false;
+  using Prepared = TunedCovering;
+  static Prepared prepare(const Polygon& p) { return tuned_covering(p); }
+  static bool meets(const Prepared& c, const Segment& s) { return meets_tuned(c, s); }
+};
+
 struct Cgal {
   static constexpr const char* name = "cgal_triangulation";
   static constexpr bool exact = true;
@@ -179,6 +187,7 @@ void enter_all(const Population& population, Verdicts& verdicts) {
   enter<SfDouble>(population, verdicts);
   enter<Haines<double>>(population, verdicts);
   enter<HainesTuned>(population, verdicts);
+  enter<SfTuned>(population, verdicts);
   enter<Feito<double>>(population, verdicts);
   if (population.mix != Mix::hits_7) return;
   enter<SfDoubleOnTheFly>(population, verdicts);
@@ -241,6 +250,7 @@ void print_ratios(const Medians& m) {
         print_spread_ratio(m, "filtered_over_textbook_classical" + suffix, at + "sf_filtered", shipped);
         print_spread_ratio(m, "sf_double_over_best_classical" + suffix, at + "sf_double", best);
         print_spread_ratio(m, "sf_double_over_textbook_classical" + suffix, at + "sf_double", shipped);
+        print_spread_ratio(m, "sf_tuned_over_best_classical" + suffix, at + "sf_tuned", best);
         print_spread_ratio(m, "cgal_over_filtered" + suffix, at + "cgal_triangulation", at + "sf_filtered");
         print_spread_ratio(m, "rational_over_filtered" + suffix, at + "sf_rational", at + "sf_filtered");
       }
@@ -250,7 +260,7 @@ void print_ratios(const Medians& m) {
 
 /// The slope between the two largest polygons: what one more vertex costs.
 void print_growth(const Medians& m) {
-  for (const char* method : {"sf_filtered", "sf_double", "haines_double", "haines_tuned", "feito_double"}) {
+  for (const char* method : {"sf_filtered", "sf_double", "sf_tuned", "haines_double", "haines_tuned", "feito_double"}) {
     const std::string few = std::string("hits_7/convex/n64/") + method,
                       many = std::string("hits_7/convex/n256/") + method;
     if (m.has(few) && m.has(many)) {
