@@ -94,6 +94,14 @@ struct SfTuned {
   static bool meets(const Prepared& c, const Segment& s) { return meets_tuned(c, s); }
 };
 
+struct Uncertified {
+  static constexpr const char* name = "uncertified";
+  static constexpr bool exact = false;
+  using Prepared = UncertifiedPolygon;
+  static Prepared prepare(const Polygon& p) { return uncertified(p); }
+  static bool meets(const Prepared& p, const Segment& s) { return meets_uncertified(p, s); }
+};
+
 struct Cgal {
   static constexpr const char* name = "cgal_triangulation";
   static constexpr bool exact = true;
@@ -188,6 +196,7 @@ void enter_all(const Population& population, Verdicts& verdicts) {
   enter<Haines<double>>(population, verdicts);
   enter<HainesTuned>(population, verdicts);
   enter<SfTuned>(population, verdicts);
+  if (population.vertices <= 16) enter<Uncertified>(population, verdicts);
   enter<Feito<double>>(population, verdicts);
   if (population.mix != Mix::hits_7) return;
   enter<SfDoubleOnTheFly>(population, verdicts);
@@ -248,6 +257,7 @@ void print_ratios(const Medians& m) {
         if (mix != Mix::hits_7) suffix += std::string("_") + name_of(mix);
         print_spread_ratio(m, "filtered_over_best_classical" + suffix, at + "sf_filtered", best);
         print_spread_ratio(m, "filtered_over_textbook_classical" + suffix, at + "sf_filtered", shipped);
+        print_spread_ratio(m, "filtered_over_uncertified" + suffix, at + "sf_filtered", at + "uncertified");
         print_spread_ratio(m, "sf_double_over_best_classical" + suffix, at + "sf_double", best);
         print_spread_ratio(m, "sf_double_over_textbook_classical" + suffix, at + "sf_double", shipped);
         print_spread_ratio(m, "sf_tuned_over_best_classical" + suffix, at + "sf_tuned", best);

@@ -2,10 +2,13 @@
 // rivals are written to be read, the crossing count and the covering in double as a careful programmer tunes them.
 #pragma once
 
+#include <bit>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
 #include "core/classical_polygon.h"
+#include "exact/filtered/plane_crossing.h"
 
 namespace tribunal::bench {
 
@@ -95,6 +98,59 @@ inline bool meets_tuned(const TunedCovering& c, const Segment& s) {
     oa = ob;
   }
   return odd;
+}
+
+/// What sf-filtered computes, without its bounds: what certainty costs. Up to 64 vertices, each ring closed.
+struct UncertifiedPolygon {
+  Vec3<Twin<double>> base, normal;
+  int u_axis, v_axis;
+  std::vector<double> u, v;
+  std::uint64_t edges = 0;
+};
+
+inline UncertifiedPolygon uncertified(const Polygon& polygon) {
+  const ClassicalPolygon<double> c = classical_polygon<double>(polygon);
+  const Vec3<double> base = lift<double>(polygon.vertices.front());
+  const int dropped = static_cast<int>(c.dropped);
+  UncertifiedPolygon p{beside(base, base), beside(c.normal, c.normal), (dropped + 1) % 3, (dropped + 2) % 3, {}, {}};
+  const auto add = [&](const Point3& vertex) {
+    p.u.push_back(vertex[p.u_axis] - polygon.vertices.front()[p.u_axis]);
+    p.v.push_back(vertex[p.v_axis] - polygon.vertices.front()[p.v_axis]);
+  };
+  for (std::size_t r = 0; r < polygon.rings(); ++r) {
+    for (const Point3& vertex : polygon.ring(r)) {
+      p.edges |= std::uint64_t{1} << p.u.size();
+      add(vertex);
+    }
+    add(polygon.ring(r).front());
+  }
+  if (p.u.size() % 2 == 1) add(polygon.vertices.back());
+  return p;
+}
+
+[[gnu::noinline]] inline bool crossed_oddly(const UncertifiedPolygon& polygon, Twin<double> x, Twin<double> y,
+                                            Twin<double> z, Twin<double> heights) {
+  const Twin<double> along[3] = {x, y, z};
+  const auto at = plane_crossing<Segment>(heights, Vec2<Twin<double>>{along[polygon.u_axis], along[polygon.v_axis]});
+  const double *const u = polygon.u.data(), *const v = polygon.v.data();
+  std::uint64_t below = 0;
+  for (std::size_t i = polygon.u.size(); i > 0;) {
+    i -= 2;
+    below = below << 2 | negative_bits(Twin<double>{v[i], v[i + 1]} * twice(at.den) - twice(at.point.v));
+  }
+  bool odd = false;
+  for (std::uint64_t crossed = (below ^ below >> 1) & polygon.edges; crossed != 0; crossed &= crossed - 1) {
+    const auto i = static_cast<std::size_t>(std::countr_zero(crossed));
+    const double side = edge_side(at, {u[i], v[i]}, {u[i + 1], v[i + 1]});
+    odd ^= (side > 0) == ((below >> i & 1) != 0);
+  }
+  return odd;
+}
+
+inline bool meets_uncertified(const UncertifiedPolygon& polygon, const Segment& s) {
+  const Vec3<Twin<double>> ends = ends_from(polygon.base, s);
+  const Twin<double> heights = dot(polygon.normal, ends);
+  return !same_sign(heights) && crossed_oddly(polygon, ends.x, ends.y, ends.z, heights);
 }
 
 }  // namespace tribunal::bench
