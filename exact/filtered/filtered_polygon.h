@@ -104,14 +104,19 @@ template <class P>
   if (!(range < crossing_bounds.huge)) return std::nullopt;
   const Twin<double> along[3] = {x, y, z};
   const PlaneCrossing<double> at = plane_crossing<P>(heights, Vec2<Twin<double>>{along[u_], along[v_]});
-  Parity parity = run_parity(first_run_, at, range);
-  for (const Run& run : other_runs_) parity += run_parity(run, at, range);
+  Parity parity{true, false};
+  const Run* run = &first_run_;
+  for (std::size_t others = 0;; run = &other_runs_[others++]) {
+    parity += run_parity(*run, at, range);
+    if (others == other_runs_.size()) break;
+  }
   if (!parity.certain) return std::nullopt;
   return parity.odd;
 }
 
-inline FilteredPolygon::Parity FilteredPolygon::run_parity(const Run& run, const PlaneCrossing<double>& x,
-                                                           double range) const {
+[[gnu::always_inline]] inline FilteredPolygon::Parity FilteredPolygon::run_parity(const Run& run,
+                                                                                  const PlaneCrossing<double>& x,
+                                                                                  double range) const {
   const Twin<double> den = twice(x.den), point = twice(x.point.v);
   Twin<double> least = twice(crossing_bounds.huge);
   std::uint64_t below = 0;

@@ -51,8 +51,7 @@ unsigned negative_bits(const Twin<N>& a) {
 /// Whether both are negative, or none. Without a branch for each.
 template <class N>
 bool same_sign(const Twin<N>& a) {
-  const unsigned bits = negative_bits(a);
-  return ((bits ^ bits >> 1) & 1U) == 0;
+  return (0b1001U >> negative_bits(a) & 1U) != 0;
 }
 
 template <class N>

@@ -17,3 +17,14 @@ json.dump({"benchmarks": runs}, open("bench.json", "w"))
 PY
 /usr/bin/python3 "$SOURCE_DIR/docs/plot_predicate.py" bench.json chart.png
 head -c 4 chart.png | grep -q PNG
+
+# The same for polygons.
+/usr/bin/python3 - <<'PY'
+import json
+names = [f"hits_7/{o}/n{n}/{m}" for o in ("convex", "concave") for n in (4, 256) for m in ("sf_filtered", "haines_double")]
+runs = [{"run_type": "iteration", "run_name": n + "/repeats:2", "items_per_second": 1e7 + i}
+        for n in names for i in range(2)]
+json.dump({"benchmarks": runs}, open("polygons.json", "w"))
+PY
+/usr/bin/python3 "$SOURCE_DIR/docs/plot_polygon.py" polygons.json polygons.png
+head -c 4 polygons.png | grep -q PNG

@@ -6,9 +6,11 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <memory>
 
 #include "exact/kernels/rational_kernel.h"
 #include "exact/polygon/family.h"
+#include "exact/polygon/small_scope.h"
 
 namespace tribunal {
 namespace {
@@ -40,6 +42,16 @@ TEST(FilteredPolygon, IsTheCoveringTestOnExactNumbers) {
   EXPECT_GT(stages[Stage::expansion], 1'000);
   EXPECT_GT(stages[Stage::exact], 10);
   EXPECT_EQ(stages[Stage::none], 0);
+}
+
+/// The small scope, asked as benchmarks and renderers do.
+TEST(FilteredPolygon, AllRingsOfFiveOnTheGrid) {
+  const auto filtered = [](const Polygon& polygon) {
+    return [p = std::make_shared<const FilteredPolygon>(polygon)](const Segment& s) { return p->hits(s); };
+  };
+  const PolygonScope scope = exhaust_rings(filtered, {.most_vertices = 5});
+  EXPECT_GT(scope.queries, 1'000'000U);
+  EXPECT_EQ(scope.different, 0U);
 }
 
 /// In general position the filter alone must tell.

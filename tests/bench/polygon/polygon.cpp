@@ -86,6 +86,22 @@ struct HainesTuned : Classical<double> {
   static bool meets(const Prepared& c, const Segment& s) { return meets_tuned(c, s); }
 };
 
+struct SfTuned {
+  static constexpr const char* name = "sf_tuned";
+  static constexpr bool exact = false;
+  using Prepared = TunedCovering;
+  static Prepared prepare(const Polygon& p) { return tuned_covering(p); }
+  static bool meets(const Prepared& c, const Segment& s) { return meets_tuned(c, s); }
+};
+
+struct Uncertified {
+  static constexpr const char* name = "uncertified";
+  static constexpr bool exact = false;
+  using Prepared = UncertifiedPolygon;
+  static Prepared prepare(const Polygon& p) { return uncertified(p); }
+  static bool meets(const Prepared& p, const Segment& s) { return meets_uncertified(p, s); }
+};
+
 struct Cgal {
   static constexpr const char* name = "cgal_triangulation";
   static constexpr bool exact = true;
@@ -179,6 +195,8 @@ void enter_all(const Population& population, Verdicts& verdicts) {
   enter<SfDouble>(population, verdicts);
   enter<Haines<double>>(population, verdicts);
   enter<HainesTuned>(population, verdicts);
+  enter<SfTuned>(population, verdicts);
+  if (population.vertices <= 16) enter<Uncertified>(population, verdicts);
   enter<Feito<double>>(population, verdicts);
   if (population.mix != Mix::hits_7) return;
   enter<SfDoubleOnTheFly>(population, verdicts);
@@ -231,8 +249,10 @@ void print_ratios(const Medians& m) {
         if (mix != Mix::hits_7) suffix += std::string("_") + name_of(mix);
         m.print_ratio("filtered_over_best_classical" + suffix, at + "sf_filtered", best);
         m.print_ratio("filtered_over_textbook_classical" + suffix, at + "sf_filtered", shipped);
+        m.print_ratio("filtered_over_uncertified" + suffix, at + "sf_filtered", at + "uncertified");
         m.print_ratio("sf_double_over_best_classical" + suffix, at + "sf_double", best);
         m.print_ratio("sf_double_over_textbook_classical" + suffix, at + "sf_double", shipped);
+        m.print_ratio("sf_tuned_over_best_classical" + suffix, at + "sf_tuned", best);
         m.print_ratio("cgal_over_filtered" + suffix, at + "cgal_triangulation", at + "sf_filtered");
         m.print_ratio("rational_over_filtered" + suffix, at + "sf_rational", at + "sf_filtered");
       }
@@ -242,7 +262,7 @@ void print_ratios(const Medians& m) {
 
 /// The slope between the two largest polygons: what one more vertex costs.
 void print_growth(const Medians& m) {
-  for (const char* method : {"sf_filtered", "sf_double", "haines_double", "haines_tuned", "feito_double"}) {
+  for (const char* method : {"sf_filtered", "sf_double", "sf_tuned", "haines_double", "haines_tuned", "feito_double"}) {
     const std::string few = std::string("hits_7/convex/n64/") + method,
                       many = std::string("hits_7/convex/n256/") + method;
     if (m.has(few) && m.has(many)) {
