@@ -31,6 +31,11 @@ inline constexpr FilterConstants<double> area_filter{9 * rounding, 0x1p-850, 0x1
 /// n₁·d₂ − n₂·d₁ of hit parameters: the bound is K·(X·Y·Z)² + tiny. Proved: 1248 units.
 inline constexpr FilterConstants<double> order_filter{1250 * rounding, 0x1p-500, 0x1p100};
 
+/// Of the bounds by terms (term_filter.h): K·T + tiny, where T is the sum of the terms' magnitudes. Proved: 8 and 18
+/// units.
+inline constexpr FilterConstants<double> volume_terms_filter{9 * rounding, 0x1p-700, 0x1p150};
+inline constexpr FilterConstants<double> order_terms_filter{21 * rounding, 0x1p-500, 0x1p100};
+
 /// The larger; the second if either is NaN.
 template <class N>
 N larger(const N& a, const N& b) {

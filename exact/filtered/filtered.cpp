@@ -3,6 +3,7 @@
 #include "core/segura_feito.h"
 #include "exact/filtered/filtered_kernel.h"
 #include "exact/filtered/stages/exact_stages.h"
+#include "exact/filtered/term_filter.h"
 #include "exact/kernels/segura_feito_method.h"
 
 namespace tribunal {
@@ -22,15 +23,24 @@ template <class P>
 }
 
 template <class P>
+[[gnu::noinline]] Answer intersect_past_filter(const P& probe, const Triangle& t) {
+  const std::optional<bool> hit = filter_hits_by_terms(probe, t, volume_terms_filter);
+  return hit ? certain(*hit) : intersect_exactly(probe, t);
+}
+
+template <class P>
 [[gnu::flatten]] Answer staged_intersect(const P& probe, const Triangle& t) {
   const std::optional<bool> hit = filter_hits(probe, t, shared_volumes_filter);
-  return hit ? certain(*hit) : intersect_exactly(probe, t);
+  return hit ? certain(*hit) : intersect_past_filter(probe, t);
 }
 
 }  // namespace
 
 bool hits_exactly(const Segment& s, const Triangle& t) { return intersect_exactly(s, t).hit; }
 bool hits_exactly(const Ray& r, const Triangle& t) { return intersect_exactly(r, t).hit; }
+
+bool hits_past_filter(const Segment& s, const Triangle& t) { return intersect_past_filter(s, t).hit; }
+bool hits_past_filter(const Ray& r, const Triangle& t) { return intersect_past_filter(r, t).hit; }
 
 Answer intersect(const Segment& s, const Triangle& t) { return staged_intersect(s, t); }
 Answer intersect(const Ray& r, const Triangle& t) { return staged_intersect(r, t); }

@@ -33,20 +33,24 @@ template <class N, class P>
   return hit;
 }
 
-/// The same answer without the filter: integers of a fixed width where the operands allow, else GMP. Some 100 ns.
+/// The same answer without any filter: integers of a fixed width where the operands allow, else GMP. Some 100 ns.
 bool hits_exactly(const Segment& s, const Triangle& t);
 bool hits_exactly(const Ray& r, const Triangle& t);
+
+/// The same answer where the filter is not certain: a second one (term_filter.h), then integers.
+bool hits_past_filter(const Segment& s, const Triangle& t);
+bool hits_past_filter(const Ray& r, const Triangle& t);
 
 /// Whether the closed segment and the closed triangle have a point in common. On the order of 10 ns.
 [[gnu::flatten]] inline bool hits(const Segment& s, const Triangle& t) {
   if (const std::optional<bool> certain = filter_hits(s, t, shared_volumes_filter)) return *certain;
-  return hits_exactly(s, t);
+  return hits_past_filter(s, t);
 }
 
 /// Whether the ray {o + λ·d, λ ≥ 0} and the closed triangle have a point in common.
 [[gnu::flatten]] inline bool hits(const Ray& r, const Triangle& t) {
   if (const std::optional<bool> certain = filter_hits(r, t, shared_volumes_filter)) return *certain;
-  return hits_exactly(r, t);
+  return hits_past_filter(r, t);
 }
 
 /// Hit, kind of contact, end of the probe that touches, and the stage that decided.

@@ -5,6 +5,7 @@
 
 #include "exact/filtered/filter.h"
 #include "exact/filtered/stages/exact_stages.h"
+#include "exact/filtered/term_filter.h"
 
 namespace tribunal {
 namespace {
@@ -36,6 +37,7 @@ struct Hits {
 template <class X>
 Staged<Sign> staged_orient3d(const Point3& a, const Point3& b, const Point3& c, const X& x) {
   if (const auto sign = filter_orient3d(a, b, c, x, volume_filter)) return {*sign, Stage::filter};
+  if (const auto sign = filter_orient3d_by_terms(a, b, c, x, volume_terms_filter)) return {*sign, Stage::filter};
   return decide_exactly(Operands<X>{a, b, c, x},
                         [](const auto& o, const auto& k) { return k.orient3d(o.a, o.b, o.c, o.x); });
 }
@@ -95,6 +97,9 @@ Sign FilteredKernel::compare(Axis axis, const Point3&, const Direction& x) const
 
 Sign FilteredKernel::compare_hits(const Ray& r, const Triangle& s, const Triangle& t) const {
   if (const auto sign = filter_compare_hits(r, s, t, order_filter, volume_filter)) return told(*sign, Stage::filter);
+  if (const auto sign = filter_compare_hits_by_terms(r, s, t, order_terms_filter, volume_terms_filter)) {
+    return told(*sign, Stage::filter);
+  }
   const auto [sign, stage] =
       decide_exactly<2>(Hits{r, s, t}, [](const auto& o, const auto& k) { return k.compare_hits(o.ray, o.s, o.t); });
   return told(sign, stage);

@@ -4,8 +4,11 @@
 
 #include <cmath>
 
+#include "exact/families/draw.h"
 #include "exact/filtered/filter.h"
 #include "exact/filtered/filtered.h"
+#include "exact/filtered/term_filter.h"
+#include "exact/kernels/rational_kernel.h"
 #include "tests/exact/proofs.h"
 
 namespace tribunal {
@@ -124,10 +127,19 @@ TEST(ToyFloats, NoCertainAreaIsWrong) {
 
 TEST(ToyFloats, AConstantTooSmallGivesWrongAreas) { EXPECT_GT(enumerate_areas<3>(8).wrong, 0U); }
 
-/// The shipped filter of det3 on all nine-tuples of these values, computed with `bits` bits.
+/// The constant of a bound by terms, each off by `depth` roundings, in a bound that is rounded eight times itself.
 template <int bits>
-Outcome enumerate_volumes(std::initializer_list<double> values, double divisor) {
-  const auto c = toy_filter<bits>(46, 6, 8, divisor);
+FilterConstants<Toy<bits>> toy_terms_filter(int depth, double divisor = 1) {
+  const double u = std::ldexp(1.0, -bits);
+  FilterConstants<Toy<bits>> c;
+  c.k.x = (std::pow(1 + u, depth) - 1) / std::pow(1 - u, 8) / divisor;
+  c.huge.x = 1e9;
+  return c;
+}
+
+/// A shipped filter of det3 on all nine-tuples of these values, computed with `bits` bits.
+template <int bits, class Filter>
+Outcome enumerate_volumes(std::initializer_list<double> values, const Filter& filter) {
   std::vector<Vec3<double>> vectors;
   for (const double x : values) {
     for (const double y : values) {
@@ -140,29 +152,49 @@ Outcome enumerate_volumes(std::initializer_list<double> values, double divisor) 
   Outcome outcome;
   for (const auto& u : vectors) {
     for (const auto& v : vectors) {
-      for (const auto& w : vectors) outcome.add(filter_volume(toy(u), toy(v), toy(w), c), det3(u, v, w));
+      for (const auto& w : vectors) outcome.add(filter(toy(u), toy(v), toy(w)), det3(u, v, w));
     }
   }
   return outcome;
 }
 
+constexpr std::initializer_list<double> six_bits = {-63, -41, 0, 47, 53};
+
+Outcome volumes_by_largest(double divisor) {
+  const auto c = toy_filter<6>(46, 6, 8, divisor);
+  return enumerate_volumes<6>(six_bits,
+                              [&](const auto& u, const auto& v, const auto& w) { return filter_volume(u, v, w, c); });
+}
+
+Outcome volumes_by_terms(double divisor) {
+  const auto c = toy_terms_filter<6>(8, divisor);
+  return enumerate_volumes<6>(six_bits,
+                              [&](const auto& u, const auto& v, const auto& w) { return filter_terms(u, v, w, c); });
+}
+
 TEST(ToyFloats, NoCertainVolumeIsWrong) {
-  const Outcome o = enumerate_volumes<6>({-63, -41, 0, 47, 53}, 1);
+  const Outcome o = volumes_by_largest(1);
   EXPECT_EQ(o.certain + o.undecided, 1'953'125U);
   EXPECT_EQ(o.wrong, 0U);
   EXPECT_GT(o.certain, 1000U);
   EXPECT_GT(o.undecided, 1000U);
 }
 
-TEST(ToyFloats, AConstantTooSmallGivesWrongVolumes) {
-  EXPECT_GT(enumerate_volumes<6>({-63, -41, 0, 47, 53}, 16).wrong, 0U);
+TEST(ToyFloats, AConstantTooSmallGivesWrongVolumes) { EXPECT_GT(volumes_by_largest(16).wrong, 0U); }
+
+TEST(ToyFloats, TermsDecideMoreVolumesAndNoneWrong) {
+  const Outcome o = volumes_by_terms(1);
+  EXPECT_EQ(o.wrong, 0U);
+  EXPECT_GT(o.certain, volumes_by_largest(1).certain);
+  EXPECT_GT(o.undecided, 1000U);
 }
 
-/// The shipped test itself, on segments and triangles whose coordinates take two values an axis: all 2¹⁵ of them, for
+TEST(ToyFloats, AConstantTooSmallGivesWrongVolumesByTerms) { EXPECT_GT(volumes_by_terms(8).wrong, 0U); }
+
+/// A shipped test itself, on segments and triangles whose coordinates take two values an axis: all 2¹⁵ of them, for
 /// many pairs of values, against exact volumes. Returns certain answers that are wrong.
-template <int bits>
-Outcome enumerate_hits(double divisor, int rounds) {
-  const auto c = toy_filter<bits>(168, 18, 12, divisor);
+template <int bits, class Filter>
+Outcome enumerate_hits(int rounds, const Filter& filter) {
   Outcome outcome;
   for (int round = 0; round < rounds; ++round) {
     const int full = 1 << bits, seed = 7919 * round + 1;
@@ -172,7 +204,7 @@ Outcome enumerate_hits(double divisor, int rounds) {
       for (int i = 0; i < 15; ++i) v[i / 3][i % 3] = value(2 * (i % 5) + (pattern >> i & 1));
       const Segment s{v[0], v[1]};
       const Triangle t{v[2], v[3], v[4]};
-      const std::optional<bool> hit = filter_hits(s, t, c);
+      const std::optional<bool> hit = filter(s, t);
       hit ? ++outcome.certain : ++outcome.undecided;
       outcome.wrong += hit && *hit != hits_exactly(s, t);
     }
@@ -180,14 +212,62 @@ Outcome enumerate_hits(double divisor, int rounds) {
   return outcome;
 }
 
+Outcome hits_by_largest(double divisor) {
+  const auto c = toy_filter<10>(168, 18, 12, divisor);
+  return enumerate_hits<10>(20, [&](const Segment& s, const Triangle& t) { return filter_hits(s, t, c); });
+}
+
+Outcome hits_by_terms(double divisor) {
+  const auto c = toy_terms_filter<10>(8, divisor);
+  return enumerate_hits<10>(20, [&](const Segment& s, const Triangle& t) { return filter_hits_by_terms(s, t, c); });
+}
+
 TEST(ToyFloats, NoCertainHitIsWrong) {
-  const Outcome o = enumerate_hits<10>(1, 20);
+  const Outcome o = hits_by_largest(1);
   EXPECT_EQ(o.wrong, 0U);
   EXPECT_GT(o.certain, 1000U);
   EXPECT_GT(o.undecided, 1000U);
 }
 
-TEST(ToyFloats, AConstantTooSmallGivesWrongHits) { EXPECT_GT(enumerate_hits<10>(256, 20).wrong, 0U); }
+TEST(ToyFloats, AConstantTooSmallGivesWrongHits) { EXPECT_GT(hits_by_largest(256).wrong, 0U); }
+
+TEST(ToyFloats, TermsDecideMoreHitsAndNoneWrong) {
+  const Outcome o = hits_by_terms(1);
+  EXPECT_EQ(o.wrong, 0U);
+  EXPECT_GT(o.certain, hits_by_largest(1).certain);
+  EXPECT_GT(o.undecided, 1000U);
+}
+
+TEST(ToyFloats, AConstantTooSmallGivesWrongHitsByTerms) { EXPECT_GT(hits_by_terms(16).wrong, 0U); }
+
+/// Two triangles across one ray, one of them the other with some coordinates moved a little: 10-bit numbers, 10-bit
+/// arithmetic.
+Outcome orders_by_terms(double divisor) {
+  const auto volume = toy_terms_filter<10>(8, divisor), order = toy_terms_filter<10>(18, divisor);
+  Outcome outcome;
+  for (std::uint64_t k = 0; k < 200'000; ++k) {
+    Draw draw(977, 1, k);
+    const auto point = [&] {
+      return Point3(static_cast<double>(draw.between(-511, 511)), static_cast<double>(draw.between(-511, 511)),
+                    static_cast<double>(draw.between(-511, 511)));
+    };
+    const Ray r{point(), {point()}};
+    const Triangle s{point(), point(), point()};
+    Triangle t = s;
+    for (Point3* v : {&t.a, &t.b, &t.c}) v->x += static_cast<double>(draw.between(-2, 2));
+    outcome.add(filter_compare_hits_by_terms(r, s, t, order, volume), RationalKernel().compare_hits(r, s, t));
+  }
+  return outcome;
+}
+
+TEST(ToyFloats, NoCertainOrderIsWrongByTerms) {
+  const Outcome o = orders_by_terms(1);
+  EXPECT_EQ(o.wrong, 0U);
+  EXPECT_GT(o.certain, 100U);
+  EXPECT_GT(o.undecided, 1000U);
+}
+
+TEST(ToyFloats, AConstantTooSmallGivesWrongOrdersByTerms) { EXPECT_GT(orders_by_terms(32).wrong, 0U); }
 
 }  // namespace
 }  // namespace tribunal

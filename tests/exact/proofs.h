@@ -85,10 +85,13 @@ struct Toy {
 struct Outcome {
   std::uint64_t certain = 0, undecided = 0, wrong = 0;
 
+  void add(const std::optional<Sign>& sign, Sign exact) {
+    sign ? ++certain : ++undecided;
+    wrong += sign && *sign != exact;
+  }
   template <class N>
   void add(const std::optional<Sign>& sign, const N& exact) {
-    sign ? ++certain : ++undecided;
-    wrong += sign && *sign != sign_of(exact);
+    add(sign, sign_of(exact));
   }
 };
 

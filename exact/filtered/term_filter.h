@@ -1,0 +1,105 @@
+// The second filter: where the bound by the largest magnitude on each axis is too wide, one by the terms themselves.
+//
+// The bound of filter_bounds.h takes the largest arm on each axis for all arms. It is wide where long arms meet short
+// ones: a small triangle far from the eye. Here the bound is K·T, where T is the sum of the magnitudes of the six terms
+// uᵢ·vⱼ·wₖ of det(u, v, w), and for each edge the short arm is the edge itself.
+//
+// Proof. A term passes eight roundings on its way into det3: one in each of its arms, the product of two of them, the
+// minor's difference, the product with the third, and at most three more in sums: a sum of three is two, the first
+// term's; so at most 3 + 1 + 1 + 1 + 2 = 8. Each multiplies it by 1 + δ with |δ| ≤ 2⁻⁵², so the determinant is off by
+// at most ((1 + 2⁻⁵²)⁸ − 1)·T over the rounded arms (Higham, "Accuracy and Stability of Numerical Algorithms", 2002,
+// Lemma 3.1), which is 8.0…01 units of T. T itself is computed from the same arms with at most five roundings and the
+// bound with two more, so it comes out at no less than (1 − 2⁻⁵²)⁷ of what it is: 9 units suffice. Underflow and
+// overflow are those of one determinant: range.g. Source of the idea: Shewchuk, "Adaptive Precision Floating-Point
+// Arithmetic and Fast Robust Geometric Predicates", DCG 18, 1997, whose constant for rounding to nearest is 7 + 56ε.
+#pragma once
+
+#include <optional>
+
+#include "exact/filtered/filter.h"
+
+namespace tribunal {
+
+/// A determinant as computed, and the sum of the magnitudes of its terms.
+template <class N>
+struct Expansion {
+  N value, terms;
+};
+
+template <class N>
+Expansion<N> expanded(const Vec3<N>& u, const Vec3<N>& v, const Vec3<N>& w) {
+  const auto minor = [](const N& a, const N& b, const N& c, const N& d) {
+    return N(magnitude(N(a * b)) + magnitude(N(c * d)));
+  };
+  const N x = minor(v.y, w.z, v.z, w.y), y = minor(v.z, w.x, v.x, w.z), z = minor(v.x, w.y, v.y, w.x);
+  return {det3(u, v, w), N(N(magnitude(u.x) * x) + N(magnitude(u.y) * y) + N(magnitude(u.z) * z))};
+}
+
+template <class N>
+std::optional<Sign> sign_of(const Expansion<N>& e, const FilterConstants<N>& c) {
+  return sign_beyond<N>(e.value, N(c.k * e.terms) + c.tiny);
+}
+
+/// det(u, v, w) of three arms, each coordinate rounded at most once.
+template <class N>
+std::optional<Sign> filter_terms(const Vec3<N>& u, const Vec3<N>& v, const Vec3<N>& w, const FilterConstants<N>& c) {
+  if (!in_range(largest(u, v, w), c)) return std::nullopt;
+  return sign_of(expanded(u, v, w), c);
+}
+
+/// orient3d(a, b, p, x).
+template <class N, class X>
+std::optional<Sign> filter_orient3d_by_terms(const Point3& a, const Point3& b, const Point3& p, const X& x,
+                                             const FilterConstants<N>& c) {
+  const Vec3<N> o = lift<N>(a);
+  return filter_terms(arm<N>(o, b), arm<N>(o, p), arm<N>(o, x), c);
+}
+
+/// Whether the probe certainly meets or certainly misses the triangle, in general position; else nothing.
+/// Beside filter_hits it asks sign by sign and stops at the first two that decide: both ends on one side of the plane,
+/// or two edges passed on different sides. An edge ab is passed on the side of det(a − p, b − a, d), which is
+/// orient3d(p, a, b, q), as adding one column to another changes nothing.
+template <class N, class P>
+std::optional<bool> filter_hits_by_terms(const P& probe, const Triangle& t, const FilterConstants<N>& c) {
+  const Vec3<N> p = lift<N>(source(probe)), corner[] = {lift<N>(t.a), lift<N>(t.b), lift<N>(t.c)};
+  const Vec3<N> u = corner[1] - corner[0], v = corner[2] - corner[0], d = arm<N>(p, target(probe));
+  const auto from = filter_terms(u, v, p - corner[0], c);
+  const auto to = filter_terms(u, v, arm<N>(corner[0], target(probe)), c);
+  if (from && to && *from == *to) return false;
+  std::optional<Sign> passed;
+  bool all = true;
+  for (int i = 0; i < 3; ++i) {
+    const Vec3<N>&a = corner[i], &b = corner[(i + 1) % 3];
+    const auto side = filter_terms(a - p, b - a, d, c);
+    if (side && passed && *side != *passed) return false;
+    if (side) passed = side;
+    all &= side.has_value();
+  }
+  if (!all || !from || !to) return std::nullopt;
+  return true;
+}
+
+/// The order of two hits along one ray, as filter_compare_hits has it. Of n₁·d₂ − n₂·d₁ each factor is off by at most 8
+/// units of its terms, so a product by 8 + 8 + 1 units of the product of terms, and the difference by one more: 18,
+/// and 21 are taken.
+template <class N>
+std::optional<Sign> filter_compare_hits_by_terms(const Ray& r, const Triangle& s, const Triangle& t,
+                                                 const FilterConstants<N>& order, const FilterConstants<N>& volume) {
+  struct Hit {
+    Expansion<N> height, gain;  ///< det(u, v, o − a) and det(u, v, d); the hit is at −height/gain
+    bool in_range;
+  };
+  const auto hit = [&](const Triangle& x) {
+    const Vec3<N> a = lift<N>(x.a), u = arm<N>(a, x.b), v = arm<N>(a, x.c), w = arm<N>(a, r.o), d = lift<N>(r.d.v);
+    return Hit{expanded(u, v, w), expanded(u, v, d), in_range(largest(u, v, w, d), order)};
+  };
+  const Hit f = hit(s), g = hit(t);
+  const N difference = N(g.height.value * f.gain.value) - N(f.height.value * g.gain.value);
+  const N terms = N(g.height.terms * f.gain.terms) + N(f.height.terms * g.gain.terms);
+  const auto sign = sign_beyond<N>(difference, N(order.k * terms) + order.tiny);
+  const auto first = sign_of(f.gain, volume), second = sign_of(g.gain, volume);
+  if (!f.in_range || !g.in_range || !sign || !first || !second) return std::nullopt;
+  return *sign * *first * *second;
+}
+
+}  // namespace tribunal
