@@ -111,6 +111,13 @@ Answer answer_of(const Crossings& sum, const P& probe, const Polygon& polygon, A
   return sum.hit() ? hit_at(Contact::interior, sum.one_place ? sum.at : At::unsaid) : miss();
 }
 
+/// All triangles in one plane, on whose sides the probe's ends lie.
+template <Kernel K, class P>
+Crossings plane_crossings(const P& probe, const Covering& c, const PlaneSides& sides, const K& k) {
+  return crossings(
+      probe, c, [&](const Point3&, const Point3&) { return sides; }, k);
+}
+
 /// A polygon in one plane: the plane is asked first, once, and then the line alone decides.
 template <Kernel K, class P>
 Answer meet_planar(const P& probe, const Covering& c, const K& k) {
@@ -119,9 +126,7 @@ Answer meet_planar(const P& probe, const Covering& c, const K& k) {
     return meets_in_plane(probe, c.polygon, c.plane->dropped, k) ? hit_at(Contact::coplanar) : miss();
   }
   if (!reaches(s.source, s.target, target(probe))) return miss();
-  const Crossings sum = crossings(
-      probe, c, [&](const Point3&, const Point3&) { return s; }, k);
-  return answer_of(sum, probe, c.polygon, s.at(), k);
+  return answer_of(plane_crossings(probe, c, s, k), probe, c.polygon, s.at(), k);
 }
 
 /// Each triangle in its own plane.

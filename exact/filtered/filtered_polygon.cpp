@@ -111,8 +111,18 @@ PolygonAnswer FilteredPolygon::meet(const Segment& s) const { return decide(s); 
 
 PolygonAnswer FilteredPolygon::meet(const Ray& r) const { return decide(r); }
 
-bool FilteredPolygon::hits_exactly(const Segment& s) const { return decide_exactly(s).answer.hit; }
+/// Figure 1 without its kinds of contact, where the probe crosses the plane of a planar polygon.
+template <class P>
+bool FilteredPolygon::decide_hit(const P& probe) const {
+  if (!covering_.plane || covering_.is_triangle() || !is_finite(probe)) return decide_exactly(probe).answer.hit;
+  const FilteredKernel k;
+  const PlaneSides sides = sides_of(covering_.plane->triangle, probe, k);
+  if (sides.in_plane()) return decide_exactly(probe).answer.hit;
+  return reaches(sides.source, sides.target, target(probe)) && plane_crossings(probe, covering_, sides, k).hit();
+}
 
-bool FilteredPolygon::hits_exactly(const Ray& r) const { return decide_exactly(r).answer.hit; }
+bool FilteredPolygon::hits_exactly(const Segment& s) const { return decide_hit(s); }
+
+bool FilteredPolygon::hits_exactly(const Ray& r) const { return decide_hit(r); }
 
 }  // namespace tribunal

@@ -69,6 +69,8 @@ class FilteredPolygon {
   template <class P>
   PolygonAnswer decide_exactly(const P& probe) const;
   template <class P>
+  bool decide_hit(const P& probe) const;
+  template <class P>
   std::optional<bool> certain_parity(Twin<double> x, Twin<double> y, Twin<double> z, Twin<double> heights,
                                      Twin<double> reach) const;
   Parity run_parity(const Run& run, const PlaneCrossing<double>& x, double range) const;

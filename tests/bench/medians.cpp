@@ -32,9 +32,10 @@ void Medians::print_ratio(const std::string& name, const std::string& over, cons
               quantile(over, 0.25) / quantile(under, 0.75), quantile(over, 0.75) / quantile(under, 0.25));
 }
 
-int run_interleaved(int argc, char** argv, int repetitions, Medians& medians) {
-  std::vector<std::string> defaults = {argv[0], "--benchmark_repetitions=" + std::to_string(repetitions),
-                                       "--benchmark_min_time=0.02", "--benchmark_enable_random_interleaving=true"};
+int run_interleaved(int argc, char** argv, Repetition repetition, Medians& medians) {
+  std::vector<std::string> defaults = {argv[0], "--benchmark_repetitions=" + std::to_string(repetition.repetitions),
+                                       "--benchmark_min_time=" + std::to_string(repetition.seconds),
+                                       "--benchmark_enable_random_interleaving=true"};
   for (int i = 1; i < argc; ++i) defaults.emplace_back(argv[i]);
   std::vector<char*> arguments;
   for (std::string& a : defaults) arguments.push_back(a.data());

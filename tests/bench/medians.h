@@ -36,8 +36,14 @@ class Medians : public benchmark::ConsoleReporter {
   std::map<std::string, std::vector<double>> samples_;
 };
 
-/// Runs all that was registered, in random order, `repetitions` times each, or as the arguments (Google Benchmark's)
-/// say otherwise. Returns the exit code for main: 0, or 2 where an argument is unknown, or 1 where nothing ran.
-int run_interleaved(int argc, char** argv, int repetitions, Medians& medians);
+/// How often each benchmark is run, and how long at least each time.
+struct Repetition {
+  int repetitions;
+  double seconds = 0.02;
+};
+
+/// Runs all that was registered, in random order, repeated like this unless the arguments (Google Benchmark's) say
+/// otherwise. Returns the exit code for main: 0, or 2 where an argument is unknown, or 1 where nothing ran.
+int run_interleaved(int argc, char** argv, Repetition repetition, Medians& medians);
 
 }  // namespace tribunal::bench

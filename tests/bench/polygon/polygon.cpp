@@ -118,10 +118,10 @@ struct SfRational {
   static bool meets(const Prepared& c, const Segment& s) { return segura_feito(s, c, RationalKernel{}).answer.hit; }
 };
 
-/// Wrong answers by method, over all populations.
+/// Wrong answers by method, over all populations in general position, and on the boundary.
 class Verdicts {
  public:
-  void add(const char* method, std::size_t asked, std::size_t wrong) {
+  void add(const std::string& method, std::size_t asked, std::size_t wrong) {
     const auto found = std::find_if(rows_.begin(), rows_.end(), [&](const Row& r) { return r.method == method; });
     Row& row = found != rows_.end() ? *found : rows_.emplace_back(Row{method, 0, 0});
     row.asked += asked;
@@ -129,7 +129,7 @@ class Verdicts {
   }
 
   void print() const {
-    for (const Row& r : rows_) std::printf("wrong %-22s %zu of %zu\n", r.method.c_str(), r.wrong, r.asked);
+    for (const Row& r : rows_) std::printf("wrong %-30s %zu of %zu\n", r.method.c_str(), r.wrong, r.asked);
   }
 
  private:
@@ -157,7 +157,8 @@ class Contender {
       const PolygonProbe& probe = population_.probes[i];
       wrong += M::meets(prepared_[probe.polygon], probe.segment) != probe.hit;
     }
-    verdicts.add(M::name, probes_, wrong);
+    const bool boundary = population_.mix == Mix::boundary;
+    verdicts.add(M::name + std::string(boundary ? "/boundary" : ""), probes_, wrong);
     if (!M::exact || wrong == 0) return;
     std::fprintf(stderr, "%s: %zu answers wrong\n", name().c_str(), wrong);
     std::exit(6);
@@ -191,6 +192,7 @@ void enter(const Population& population, Verdicts& verdicts, std::size_t probes 
 }
 
 void enter_all(const Population& population, Verdicts& verdicts) {
+  const std::size_t few = population.vertices > 16 ? slow_probes : probes_each;
   enter<SfFiltered>(population, verdicts);
   enter<SfDouble>(population, verdicts);
   enter<Haines<double>>(population, verdicts);
@@ -198,33 +200,45 @@ void enter_all(const Population& population, Verdicts& verdicts) {
   enter<SfTuned>(population, verdicts);
   if (population.vertices <= 16) enter<Uncertified>(population, verdicts);
   enter<Feito<double>>(population, verdicts);
-  if (population.mix != Mix::hits_7) return;
+  if (population.mix != Mix::hits_7 && population.mix != Mix::boundary) return;
   enter<SfDoubleOnTheFly>(population, verdicts);
   enter<Haines<float>>(population, verdicts);
   enter<Feito<float>>(population, verdicts);
-  enter<Cgal>(population, verdicts, population.vertices > 16 ? slow_probes : probes_each);
+  enter<Cgal>(population, verdicts, few);
   if (population.vertices <= 16) enter<SfRational>(population, verdicts, slow_probes);
+}
+
+/// How many probes the filter leaves to exact signs.
+std::size_t count_past_filter(const Population& population) {
+  std::vector<FilteredPolygon> prepared;
+  for (const PolygonData& p : population.polygons) prepared.emplace_back(p);
+  return static_cast<std::size_t>(
+      std::count_if(population.probes.begin(), population.probes.end(),
+                    [&](const PolygonProbe& p) { return !prepared[p.polygon].filter_hits(p.segment); }));
 }
 
 void register_all() {
   static std::deque<Population> populations;
   Verdicts verdicts;
-  std::size_t probes = 0, missed = 0;
+  std::size_t asked = 0, past = 0;
   for (const Mix mix : all_mixes) {
     for (const Outline outline : all_outlines) {
       for (const int n : vertex_counts) {
-        if (n < least_vertices(outline)) continue;
+        if (n < least_vertices(outline) || (mix == Mix::boundary && n > 16)) continue;
         const Population& p = populations.emplace_back(draw_population(outline, n, mix, polygons_each, probes_each));
         enter_all(p, verdicts);
-        if (mix != Mix::hits_7) continue;
-        probes += p.probes.size();
-        missed += p.plane_missed;
+        if (mix == Mix::hits_7) {
+          std::printf("%-28s %4.1f %% miss the plane\n", p.name().c_str(),
+                      100 * static_cast<double>(p.plane_missed) / static_cast<double>(p.probes.size()));
+        }
+        if (mix == Mix::boundary) continue;
+        asked += p.probes.size();
+        past += count_past_filter(p);
       }
     }
   }
-  std::printf("of the segments with 7 %% hits, %.1f %% miss the plane\n",
-              100 * static_cast<double>(missed) / static_cast<double>(probes));
   verdicts.print();
+  std::printf("past the filter: %zu of %zu in general position\n", past, asked);
 }
 
 /// The fastest of the classical ways in double.
@@ -243,7 +257,7 @@ void print_ratios(const Medians& m) {
         const std::string at = Population{outline, n, mix, {}, {}}.name() + "/";
         const std::string shipped = best_classical(m, at, {"haines_double", "feito_double"});
         const std::string best = best_classical(m, at, {"haines_double", "feito_double", "haines_tuned"});
-        if (best.empty()) continue;
+        if (best.empty() || mix == Mix::boundary) continue;
         std::string suffix = outline == Outline::convex ? "" : std::string("_") + name_of(outline);
         suffix += "_n" + std::to_string(n);
         if (mix != Mix::hits_7) suffix += std::string("_") + name_of(mix);
@@ -253,10 +267,20 @@ void print_ratios(const Medians& m) {
         m.print_ratio("sf_double_over_best_classical" + suffix, at + "sf_double", best);
         m.print_ratio("sf_double_over_textbook_classical" + suffix, at + "sf_double", shipped);
         m.print_ratio("sf_tuned_over_best_classical" + suffix, at + "sf_tuned", best);
+        m.print_ratio("sf_tuned_over_textbook_classical" + suffix, at + "sf_tuned", shipped);
         m.print_ratio("cgal_over_filtered" + suffix, at + "cgal_triangulation", at + "sf_filtered");
         m.print_ratio("rational_over_filtered" + suffix, at + "sf_rational", at + "sf_filtered");
       }
     }
+  }
+}
+
+void print_boundary_ratios(const Medians& m) {
+  for (const int n : {3, 4, 8}) {
+    const std::string at = Population{Outline::convex, n, Mix::boundary, {}, {}}.name() + "/";
+    const std::string suffix = "_over_filtered_boundary_n" + std::to_string(n);
+    m.print_ratio("cgal" + suffix, at + "cgal_triangulation", at + "sf_filtered");
+    m.print_ratio("rational" + suffix, at + "sf_rational", at + "sf_filtered");
   }
 }
 
@@ -278,8 +302,9 @@ int main(int argc, char** argv) {
   using namespace tribunal::bench;
   Medians medians;
   register_all();
-  if (const int failed = run_interleaved(argc, argv, 11, medians)) return failed;
+  if (const int failed = run_interleaved(argc, argv, {.repetitions = 31, .seconds = 0.002}, medians)) return failed;
   medians.print("ns a query");
   print_growth(medians);
+  print_boundary_ratios(medians);
   print_ratios(medians);
 }

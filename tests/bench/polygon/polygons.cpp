@@ -24,7 +24,7 @@ using FrameRing = std::vector<FramePoint>;
 
 double uniform(Draw& draw) { return std::ldexp(static_cast<double>(draw.next() >> 11), -53); }
 
-/// Integers: a rotation, rounded, and an offset. Images of frame points stay below 2⁵², so they are exact; what is
+/// Integers: a rotation, rounded, and an offset. Images of frame points stay below 2⁵³, so they are exact; what is
 /// planar in the frame stays so.
 struct Frame {
   std::array<std::array<std::int64_t, 3>, 3> m;
@@ -138,10 +138,19 @@ FramePoint draw_end(Draw& draw) {
   return p;
 }
 
+/// The other end of a segment from p whose midpoint is a ring vertex or that of a ring edge.
+FramePoint mirrored(Draw& draw, const FramePoint& p, const std::vector<FrameRing>& rings) {
+  const FrameRing& ring = rings[draw.below(rings.size())];
+  const std::size_t i = draw.below(ring.size());
+  const FramePoint &a = ring[i], &b = draw.below(2) == 0 ? a : ring[(i + 1) % ring.size()];
+  return {a[0] + b[0] - p[0], a[1] + b[1] - p[1], a[2] + b[2] - p[2]};
+}
+
 /// Whether a probe of that fate fits the i-th place of the mix. 37 is coprime to 100, so there are no runs.
 bool fits(Fate fate, Mix mix, std::size_t i) {
   const std::size_t percent = i * 37 % 100;
   if (fate == Fate::degenerate) return false;
+  if (mix == Mix::boundary) return fate == Fate::hit;
   if (mix == Mix::plane_missed) return fate == (percent < 5 ? Fate::outside : Fate::plane_missed);
   const std::size_t hits = mix == Mix::hits_7 ? 7 : mix == Mix::hits_50 ? 50 : 0;
   return (fate == Fate::hit) == (percent < hits);
@@ -160,7 +169,7 @@ int least_vertices(Outline outline) {
 }
 
 const char* name_of(Mix mix) {
-  constexpr const char* names[] = {"hits_0", "hits_7", "hits_50", "plane_missed"};
+  constexpr const char* names[] = {"hits_0", "hits_7", "hits_50", "plane_missed", "boundary"};
   return names[static_cast<int>(mix)];
 }
 
@@ -181,8 +190,10 @@ Population draw_population(Outline outline, int vertices, Mix mix, std::size_t p
   for (std::uint64_t k = 0; population.probes.size() < probes; ++k) {
     Draw draw(probe_stream, seed, k);
     const auto chosen = static_cast<std::uint32_t>(draw.below(polygons));
-    const FramePoint p = draw_end(draw), q = draw_end(draw);
-    const Fate fate = fate_of(p, q, framed[chosen].rings);
+    const FramePoint p = draw_end(draw);
+    const bool touches = mix == Mix::boundary && p[2] != 0;
+    const FramePoint q = touches ? mirrored(draw, p, framed[chosen].rings) : draw_end(draw);
+    const Fate fate = touches ? Fate::hit : fate_of(p, q, framed[chosen].rings);
     if (!fits(fate, mix, population.probes.size())) continue;
     const Frame& frame = framed[chosen].frame;
     population.probes.push_back({{frame.image(p), frame.image(q)}, chosen, fate == Fate::hit});

@@ -21,10 +21,11 @@ const char* name_of(Outline outline);
 int least_vertices(Outline outline);
 
 /// Segments with both ends uniform in the cube around the polygon: half of them miss its plane. `hits_N` has N % hits
-/// dealt among them; of `plane_missed`, 95 % miss the plane and the others the polygon.
-enum class Mix : std::uint8_t { hits_0, hits_7, hits_50, plane_missed };
+/// dealt among them; of `plane_missed`, 95 % miss the plane and the others the polygon. `boundary`: every segment runs
+/// exactly through a ring vertex or the midpoint of a ring edge, which are hits.
+enum class Mix : std::uint8_t { hits_0, hits_7, hits_50, plane_missed, boundary };
 
-inline constexpr Mix all_mixes[] = {Mix::hits_0, Mix::hits_7, Mix::hits_50, Mix::plane_missed};
+inline constexpr Mix all_mixes[] = {Mix::hits_0, Mix::hits_7, Mix::hits_50, Mix::plane_missed, Mix::boundary};
 
 const char* name_of(Mix mix);
 
@@ -39,7 +40,7 @@ struct Population {
   int vertices;
   Mix mix;
   std::vector<PolygonData> polygons;  ///< each in its own random plane, full mantissas, coordinates of a few units
-  std::vector<PolygonProbe> probes;   ///< polygons in random order, in general position
+  std::vector<PolygonProbe> probes;   ///< polygons in random order; general position but for `boundary`
   std::size_t hits = 0, plane_missed = 0;
 
   std::string name() const;  ///< e.g. "hits_7/convex/n4"

@@ -202,7 +202,7 @@ int main(int argc, char** argv) {
   using namespace tribunal::bench;
   Medians medians;
   register_all();
-  if (const int failed = run_interleaved(argc, argv, 25, medians)) return failed;
+  if (const int failed = run_interleaved(argc, argv, {.repetitions = 25}, medians)) return failed;
   medians.print("ns a pair");
   print_share_past_the_filter();
   print_ratios(medians);

@@ -142,7 +142,7 @@ int main(int argc, char** argv) {
     }
   }
   Medians medians;
-  if (const int failed = run_interleaved(argc, argv, 15, medians)) return failed;
+  if (const int failed = run_interleaved(argc, argv, {.repetitions = 15}, medians)) return failed;
   time_frames(scenes, 9, medians);
   medians.print("ns a ray, or a pixel");
   print_ratios(medians, scenes);

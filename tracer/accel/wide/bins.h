@@ -41,6 +41,7 @@ struct FrameBox {
 struct BuildRef {
   FrameBox box;
   std::uint32_t id;
+  bool is_triangle;
 
   /// Twice the centre of its box.
   Float4 centre() const { return box.lo + box.hi; }

@@ -93,7 +93,8 @@ class WideBuilder {
     const std::uint32_t count = static_cast<std::uint32_t>(refs_.size());
     tree_.frame_ = frame_of(bounds(count));
     tbb::parallel_for(std::uint32_t{0}, count, [&](std::uint32_t i) {
-      refs_[i] = {in_frame(tree_.frame_, primitive_(i).box), i};
+      const Primitive p = primitive_(i);
+      refs_[i] = {in_frame(tree_.frame_, p.box), i, p.triangle.has_value()};
     });
     if (count == 0) return;
     tree_.columns_.resize(column_count * count + leaf_size);
@@ -175,17 +176,24 @@ class WideBuilder {
     return {{left, extent_in_parallel(left), p.level + 1}, {right, extent_in_parallel(right), p.level + 1}};
   }
 
+  /// Triangles are tested together; another primitive is worth a box of its own.
+  static bool fits_leaf(Refs refs) {
+    return refs.size() == 1 || (refs.size() <= leaf_size &&
+                                std::all_of(refs.begin(), refs.end(), [](const BuildRef& r) { return r.is_triangle; }));
+  }
+
   /// Up to eight parts, in the order of their refs. The largest that is too large for a leaf is cut next; if slots are
   /// left, leaves are, since boxes of one node cost the same however many they are.
   static std::vector<Part> children_of(const Part& whole) {
     std::vector<Part> parts{whole};
     while (parts.size() < node_width) {
       const auto gain = [](const Part& p) {
-        return std::pair(p.refs.size() > leaf_size, p.refs.size() > 2 ? p.extent.box.area() : -1);
+        const bool must = !fits_leaf(p.refs);
+        return std::pair(must, must || p.refs.size() > 2 ? p.extent.box.area() : -1);
       };
       const auto best =
           std::max_element(parts.begin(), parts.end(), [&](const Part& a, const Part& b) { return gain(a) < gain(b); });
-      if (best->refs.size() <= 2) break;
+      if (gain(*best).second < 0) break;
       const auto [left, right] = cut(*best);
       *best = left;
       parts.insert(best + 1, right);
@@ -196,7 +204,7 @@ class WideBuilder {
   /// Appends the nodes of a part to `nodes` and says where it starts. Parts worth it grow in parallel, each on its own,
   /// and are appended in order.
   NodeRef grow(const Part& part, Nodes& nodes) {
-    if (part.refs.size() <= leaf_size) return fill_leaf(part.refs);
+    if (fits_leaf(part.refs)) return fill_leaf(part.refs);
     const std::vector<Part> parts = children_of(part);
     const auto index = static_cast<std::uint32_t>(nodes.size());
     nodes.push_back(empty_node());
