@@ -86,6 +86,7 @@ class Gatherer {
     const Triangle plane = spanning_triangle(polygon);
     if (faces_ == Faces::polygons && lies_in_plane(polygon, plane)) {
       add(plane, static_cast<std::int32_t>(world_.polygons.size()), solid);
+      world_.polygon_boxes.push_back(box_of(polygon));
       world_.polygons.push_back(std::move(polygon));
       return;
     }
@@ -117,12 +118,18 @@ double greatest_coordinate(const FaceList& faces) {
 }  // namespace
 
 World make_world(const Scene& scene, Format format, Accel accel, Faces faces) {
-  World world{
-      .scene = &scene, .format = format, .triangles = {}, .solid_of = {}, .polygon_of = {}, .polygons = {}, .step = 0};
+  World world{.scene = &scene,
+              .format = format,
+              .triangles = {},
+              .solid_of = {},
+              .polygon_of = {},
+              .polygons = {},
+              .polygon_boxes = {},
+              .step = 0};
   std::vector<Triangle> triangles;
   Gatherer gatherer(world, triangles, faces);
   for (std::uint32_t s = 0; s < scene.solids.size(); ++s) gatherer.add(s);
-  const FaceList list{triangles, world.solid_of, world.polygon_of, world.polygons};
+  const FaceList list{triangles, world.solid_of, world.polygon_of, world.polygon_boxes};
   world.step = scene.bias * greatest_coordinate(list);
   world.triangles = BoxedFaces(accel, list);
   return world;

@@ -25,12 +25,15 @@ struct World {
   std::vector<std::uint32_t> solid_of;
   std::vector<std::int32_t> polygon_of;  ///< of face i: an index into polygons, −1 for triangles
   std::vector<PolygonData> polygons;
+  std::vector<Box> polygon_boxes;
   double step;  ///< by which inexact methods' secondary rays leave a surface: bias × the greatest |coordinate|
 
   const PolygonData* polygon(std::uint32_t id) const {
     return polygon_of[id] < 0 ? nullptr : &polygons[static_cast<std::size_t>(polygon_of[id])];
   }
-  Box box(std::uint32_t id) const { return polygon(id) ? box_of(*polygon(id)) : box_of(triangles[id]); }
+  Box box(std::uint32_t id) const {
+    return polygon_of[id] < 0 ? box_of(triangles[id]) : polygon_boxes[static_cast<std::size_t>(polygon_of[id])];
+  }
 
   const Material& material_of(std::uint32_t id) const { return scene->solids[solid_of[id]].material; }
 };

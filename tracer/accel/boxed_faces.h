@@ -27,10 +27,10 @@ struct FaceList {
   std::span<const Triangle> triangles;  ///< of face i: itself, or one that spans the polygon's plane
   std::span<const std::uint32_t> solid_of;
   std::span<const std::int32_t> polygon_of;  ///< of face i: an index into polygons, −1 for triangles
-  std::span<const PolygonData> polygons;
+  std::span<const Box> polygon_boxes;
 
   Box box(std::size_t id) const {
-    return polygon_of[id] < 0 ? box_of(triangles[id]) : box_of(polygons[static_cast<std::size_t>(polygon_of[id])]);
+    return polygon_of[id] < 0 ? box_of(triangles[id]) : polygon_boxes[static_cast<std::size_t>(polygon_of[id])];
   }
 };
 

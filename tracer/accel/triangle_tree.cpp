@@ -6,16 +6,19 @@
 namespace tribunal {
 namespace {
 
-/// Asks the certified test.
+/// Asks the certified test, but not of triangles whose own box is missed, or met too late.
 struct Certified {
   const WideTree& tree;
   const Ray& ray;
 
-  bool sees(Place p, std::uint32_t) const {
+  bool sees(Place p, std::uint32_t, double limit) const {
+    const Span in_box = span(p, 0);
+    if (in_box.empty() || in_box.first > limit) return false;
     const Answer a = intersect(ray, tree.triangle(p));
     return a.hit && a.contact != Contact::coplanar;
   }
-  double latest(Place p, std::uint32_t) const { return latest_in(box_of(tree.triangle(p)), ray); }
+  Span span(Place p, std::uint32_t) const { return BoxProbe(ray).span(box_of(tree.triangle(p))); }
+  static bool is_exact() { return true; }
   Sign order(const BoundedHit& a, const BoundedHit& b) const {
     return compare_hits(ray, tree.triangle(a.place), tree.triangle(b.place));
   }

@@ -77,13 +77,25 @@ std::optional<std::uint32_t> Visibility::first_in_list(const Ray& ray) {
   return best;
 }
 
+/// Whether a face of which the lanes could not tell is worth a question: the probe meets its own box by the limit. The
+/// leaf's box is that of up to eight faces, and an exact answer costs as much as many boxes.
+bool Visibility::is_worth_asking(const BoxProbe& probe, double limit, std::uint32_t id, RayTally& tally) const {
+  ++tally.box_tests;
+  const Span span = probe.span(world_.box(id));
+  return !span.empty() && span.first <= limit;
+}
+
 /// Says what the walk along a ray does not know.
 struct Visibility::Judge {
   Visibility& eye;
   const Ray& ray;
+  const BoxProbe probe{ray};
 
-  bool sees(Place, std::uint32_t id) const { return is_visible_hit(eye.ask_counted(ray, id)); }
-  double latest(Place, std::uint32_t id) const { return latest_in(eye.world_.box(id), ray); }
+  bool sees(Place, std::uint32_t id, double limit) const {
+    return eye.is_worth_asking(probe, limit, id, eye.tally_) && is_visible_hit(eye.ask_counted(ray, id));
+  }
+  Span span(Place, std::uint32_t id) const { return probe.span(eye.world_.box(id)); }
+  bool is_exact() const { return eye.sifts_; }
   Sign order(const BoundedHit& a, const BoundedHit& b) const { return eye.order(ray, a.id, b.id); }
 };
 
@@ -134,7 +146,9 @@ std::uint64_t Visibility::along(const Segment& way, RayTally& tally, const Hit& 
     return 0;
   }
   const WideProbe probe(way, tree->frame());
-  SegmentFinder finder(*tree, hit, other);
+  const BoxProbe own(way);
+  const auto ask = [&](std::uint32_t id) { return is_worth_asking(own, 1, id, tally) && other(id); };
+  SegmentFinder finder(*tree, hit, ask);
   finder.limit = probe.limit_at(1);
   WalkCounts counts;
   if (sifts_) {

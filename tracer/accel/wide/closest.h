@@ -35,9 +35,10 @@ struct BoundedHit {
 };
 
 /// Keeps the closest hit: least exact t, ties by lowest id. `Judge` has
-///   bool sees(place, id)   whether an uncertain finding is a hit;
-///   double latest(place, id)   a bound on the t of a hit of which the walk knows none;
-///   Sign order(hit, other)   exact sign of t₁ − t₂, asked only where bounds overlap.
+///   bool sees(place, id, limit)   whether an uncertain finding is a hit; no matter what if that is at t > limit;
+///   Span span(place, id)   of the ray in the box of a hit, for hits of whose t the walk knows little;
+///   bool is_exact()   whether the hits that it sees are hits indeed, so that they lie in their boxes;
+///   Sign order(hit, other)   sign of t₁ − t₂, asked only where bounds overlap.
 template <class Judge>
 class ClosestFinder final : public Finder {
  public:
@@ -47,10 +48,9 @@ class ClosestFinder final : public Finder {
   bool found(const Finding& f) override {
     const std::uint32_t id = tree_.id(f.place);
     certain_ += f.certain;
-    if (!f.certain && !judge_.sees(f.place, id)) return false;
-    const HitBounds bounds = hit_bounds(f);
-    const bool bounded = bounds.greatest < std::numeric_limits<double>::infinity();
-    limit = std::min(limit, probe_.limit_at(bounded ? bounds.greatest : judge_.latest(f.place, id)));
+    if (!f.certain && !judge_.sees(f.place, id, latest_)) return false;
+    const HitBounds bounds = bounds_of(f, id);
+    limit = probe_.limit_at(latest_);
     const BoundedHit hit{f.place, id, bounds.nearest_to(f.num / f.den), bounds};
     if (!best_ || is_closer(hit, *best_)) best_ = hit;
     return false;
@@ -62,6 +62,18 @@ class ClosestFinder final : public Finder {
   std::uint64_t certain() const { return certain_; }
 
  private:
+  /// By the volumes; where those say little, as they do from afar, also by the box. Lowers latest_.
+  HitBounds bounds_of(const Finding& f, std::uint32_t id) {
+    HitBounds bounds = hit_bounds(f);
+    latest_ = std::min(latest_, bounds.greatest);
+    if (bounds.least > (1 - 0x1p-20) * bounds.greatest) return bounds;
+    const Span span = judge_.span(f.place, id);
+    if (span.empty()) return bounds;
+    latest_ = std::min(latest_, span.last);
+    if (!judge_.is_exact()) return {};
+    return {std::max(bounds.least, span.first), std::min(bounds.greatest, span.last)};
+  }
+
   bool is_closer(const BoundedHit& hit, const BoundedHit& than) const {
     if (hit.bounds.greatest < than.bounds.least) return true;
     if (hit.bounds.least > than.bounds.greatest) return false;
@@ -74,12 +86,7 @@ class ClosestFinder final : public Finder {
   Judge& judge_;
   std::optional<BoundedHit> best_;
   std::uint64_t certain_ = 0;
+  double latest_ = std::numeric_limits<double>::infinity();  ///< the closest hit is at no greater t
 };
-
-/// A bound on the t at which a ray hits something in a box.
-inline double latest_in(const Box& box, const Ray& ray) {
-  const Span span = BoxProbe(ray).span(box);
-  return span.empty() ? std::numeric_limits<double>::infinity() : span.last;
-}
 
 }  // namespace tribunal
