@@ -55,6 +55,7 @@ expect 0 verify judged/1-sf-rational && expect 0 verify judged/2-sf-float
 expect 1 replay judged/2-sf-float/counterexamples.jsonl
 head -n 1 answers.jsonl >few.jsonl
 expect 3 judge --cases cases.jsonl --answers few.jsonl && says err 'are missing'
+expect 2 cases --family polygon-affine --count 2500001 --out x && says err 'at most 2500000 polygons'
 head -n 40 answered.jsonl >some.jsonl
 sed -n 's/^{"id":"\([^"]*\)".*"expect":\([01]\).*/{"id":"\1","hit":\2}/p' some.jsonl >right.jsonl
 expect 0 judge --cases some.jsonl --answers right.jsonl && says out '0 wrong of 40'
