@@ -165,7 +165,7 @@ std::vector<T> truths_of_all(const std::vector<C>& cases, const std::string& fil
 }
 
 const char* oracles_of_own_cases(Operands operands) {
-  return operands == Operands::polygons ? "rational kernel, point in rings twice, covering surface, Caratheodory"
+  return operands == Operands::polygons ? polygon_oracles
                                         : "class table, rational kernel, Caratheodory, CGAL where defined";
 }
 

@@ -9,8 +9,8 @@
 namespace tribunal {
 namespace {
 
-/// A file of so many cases has about 4 GB, as much as we read.
-constexpr std::uint64_t most_cases = 10'000'000;
+/// A file of so many cases has about 4 GB, as much as we read; polygons have more points.
+constexpr std::uint64_t most_cases = 10'000'000, most_polygons = 2'500'000;
 
 struct Options {
   std::string families, format, out = "-";
@@ -57,8 +57,12 @@ int run(const Options& o, const std::vector<BasicStream<On>>& streams) {
 
 int run(const Options& o) {
   const auto polygons = polygon_streams_named(o.families);
-  if (!polygons.empty()) return run(o, in_format(polygons, o.format));
-  return run(o, in_format(streams_named(o.families), o.format));
+  if (polygons.empty()) return run(o, in_format(streams_named(o.families), o.format));
+  if (o.count > most_polygons) {
+    throw Failure(Exit::usage, "--count is " + std::to_string(o.count) + ", expected at most " +
+                                   std::to_string(most_polygons) + " polygons");
+  }
+  return run(o, in_format(polygons, o.format));
 }
 
 }  // namespace

@@ -9,6 +9,9 @@
 
 namespace tribunal {
 
+/// What judges polygon cases whose construction is not known.
+inline constexpr const char* polygon_oracles = "rational kernel, point in rings twice, covering surface, Caratheodory";
+
 /// What the harness needs to know of cases with polygons.
 struct OnPolygons {
   using Family = PolygonFamily;
@@ -27,7 +30,7 @@ struct OnPolygons {
   static bool aims(const Family& family) { return family.constructs; }
   static const char* oracle_of(const Family& family) {
     return family.constructs ? "construction, rational kernel, point in rings twice, covering surface, Caratheodory"
-                             : "rational kernel, point in rings twice, covering surface, Caratheodory";
+                             : polygon_oracles;
   }
 };
 

@@ -1,13 +1,29 @@
 #!/usr/bin/env bash
-# The checker of docs/ confirms what fuzz finds, and rejects a counterexample that blames the wrong answer.
+# The checkers of docs/ confirm what fuzz finds, and reject a counterexample that blames the wrong answer.
 set -euo pipefail
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 status=0
+# swap_answers FILE: the first finding blames the other answer.
+swap_answers() { sed '1s/"answered":0/"answered":2/;1s/"answered":1/"answered":0/;1s/"answered":2/"answered":1/' "$1"; }
 "$TRIBUNAL" fuzz --method sf-double,mt-float --count 20000 --out "$scratch" >/dev/null || status=$?
 [ "$status" -eq 1 ] || { echo "fuzz: exit $status, expected 1" >&2; exit 1; }
 /usr/bin/python3 "$SOURCE_DIR/docs/check_counterexample.py" "$scratch/counterexamples.jsonl"
-sed '1s/"answered":0/"answered":2/;1s/"answered":1/"answered":0/;1s/"answered":2/"answered":1/' "$scratch/counterexamples.jsonl" >"$scratch/tampered.jsonl"
+swap_answers "$scratch/counterexamples.jsonl" >"$scratch/tampered.jsonl"
 ! /usr/bin/python3 "$SOURCE_DIR/docs/check_counterexample.py" "$scratch/tampered.jsonl" || { echo "tampering passed" >&2; exit 1; }
 sed '1s/"abcp":[-01]*/"abcp":7/' "$scratch/counterexamples.jsonl" >"$scratch/signs.jsonl"
 ! /usr/bin/python3 "$SOURCE_DIR/docs/check_counterexample.py" "$scratch/signs.jsonl" || { echo "a wrong sign passed" >&2; exit 1; }
+
+# The same of polygons; and every exact answer to generated cases, planar or not, is what fractions give.
+families=polygon-affine,polygon-ulp,polygon-in-plane,polygon-grid,polygon-warped,polygon-rounded
+status=0
+"$TRIBUNAL" fuzz --family "$families" --method sf-double,haines-double,feito-double --count 3000 --keep 5 --out "$scratch/rings" >/dev/null || status=$?
+[ "$status" -eq 1 ] || { echo "fuzz: exit $status, expected 1" >&2; exit 1; }
+polygons=$SOURCE_DIR/docs/check_polygon_counterexample.py
+/usr/bin/python3 "$polygons" "$scratch/rings/counterexamples.jsonl"
+swap_answers "$scratch/rings/counterexamples.jsonl" >"$scratch/tampered.jsonl"
+! /usr/bin/python3 "$polygons" "$scratch/tampered.jsonl" || { echo "tampering passed" >&2; exit 1; }
+sed '1s/"planar":true/"planar":false/;t;1s/"planar":false/"planar":true/' "$scratch/rings/counterexamples.jsonl" >"$scratch/tampered.jsonl"
+! /usr/bin/python3 "$polygons" "$scratch/tampered.jsonl" || { echo "wrong planarity passed" >&2; exit 1; }
+"$TRIBUNAL" cases --family "$families" --count 600 --seed 4 --with-answers --out "$scratch/cases.jsonl"
+/usr/bin/python3 "$polygons" "$scratch/cases.jsonl"

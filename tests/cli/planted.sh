@@ -11,6 +11,11 @@ for bug in planted-jimenez-w0 planted-filter-64 planted-cgal-unguarded; do
   head -n 1 found/counterexamples.jsonl >first.jsonl && says first.jsonl "\"method\":\"$bug\""
   expect 1 replay first.jsonl && says out WRONG
 done
+for bug in planted-stops-early planted-hole-edges planted-one-plane; do
+  expect 1 fuzz --method "$bug,sf-epick,sound-polygon" --family polygon-affine,polygon-grid,polygon-warped --seed 97 --count 3000 --keep 3 --out rings
+  ! grep -v "\"method\":\"$bug\"" rings/counterexamples.jsonl || { echo "another is blamed for $bug" >&2; exit 1; }
+  expect 1 replay rings/counterexamples.jsonl && says out WRONG
+done
 expect 0 fuzz --method sound-jimenez,sound-filter,sound-expansion --seed 97 --count 8000
 expect 4 fuzz --method sf-double,planted-environment --count 8000
 says err 'planted-environment changed the floating-point environment'

@@ -13,17 +13,21 @@ expect 1 "${plan[@]}" --threads 7 --out seven
 diff -r one two && diff -r one seven
 interrupted=0
 for threads in 1 2 7 2 1 2 7 2 1 2; do
-  timeout --foreground --preserve-status -s INT 0.5 "$TRIBUNAL" "${plan[@]}" --threads "$threads" --out parts --resume >out 2>err && status=0 || status=$?
+  timeout --foreground --preserve-status -s INT 1 "$TRIBUNAL" "${plan[@]}" --threads "$threads" --out parts --resume >out 2>err && status=0 || status=$?
   [ "$status" -ne 1 ] || break
   [ "$status" -eq 130 ] && says out 'INTERRUPTED' && [ ! -e parts/summary.json ] || { cat err; exit 1; }
+  [ -e other ] || cp -r parts other
   interrupted=$((interrupted + 1))
 done
 [ "$interrupted" -gt 0 ] || { echo "never interrupted" >&2; exit 1; }
 [ ! -e parts/summary.json ] && expect 1 "${plan[@]}" --out parts --resume
 diff -r one parts
 sha256sum one/summary.json two/summary.json seven/summary.json parts/summary.json
-timeout --foreground --preserve-status -s INT 0.3 "$TRIBUNAL" "${plan[@]}" --out other >out 2>err || true
 expect 2 fuzz --family polygon-affine --method sf-float --seed 3 --count 12000 --out other --resume && says err 'other methods, families, seed or count'
+expect 2 fuzz --method sf-float --seed 3 --count 12000 --out other --resume && says err 'other methods, families, seed or count'
+expect 2 "${plan[@]}" --out other && says err 'is of an interrupted run'
+sed -i '3s/[0-9]/7/3' other/checkpoint.jsonl
+expect 3 "${plan[@]}" --out other --resume && says err 'checkpoint.jsonl:3:'
 
 # Findings carry every method's answer and replay to the same verdict; shrink leaves them as they are.
 says one/counterexamples.jsonl '"answers":{"sf-float":' && says one/counterexamples.jsonl '"made_with":{"program"'
@@ -55,6 +59,7 @@ expect 0 verify judged/1-sf-rational && expect 0 verify judged/2-sf-float
 expect 1 replay judged/2-sf-float/counterexamples.jsonl
 head -n 1 answers.jsonl >few.jsonl
 expect 3 judge --cases cases.jsonl --answers few.jsonl && says err 'are missing'
+expect 2 cases --family polygon-affine --count 2500001 --out x && says err 'at most 2500000 polygons'
 head -n 40 answered.jsonl >some.jsonl
 sed -n 's/^{"id":"\([^"]*\)".*"expect":\([01]\).*/{"id":"\1","hit":\2}/p' some.jsonl >right.jsonl
 expect 0 judge --cases some.jsonl --answers right.jsonl && says out '0 wrong of 40'

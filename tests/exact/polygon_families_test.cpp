@@ -4,8 +4,9 @@
 #include <map>
 #include <set>
 
+#include "exact/harness/slot.h"
 #include "exact/methods.h"
-#include "exact/polygon/judge.h"
+#include "exact/polygon/construction.h"
 
 namespace tribunal {
 namespace {
@@ -71,6 +72,20 @@ TEST(PolygonFamilies, AllKindsAreReached) {
   EXPECT_EQ(shapes.size(), 22U);
   EXPECT_EQ(places.size(), 26U * 3U);
   EXPECT_EQ(pairs.size(), 258U) << "every place that a shape has";
+}
+
+/// Within three rounds of levels every construction comes up at every level: none is tried at easy levels only.
+TEST(PolygonFamilies, EveryConstructionMeetsEveryLevel) {
+  for (const char* name : {"polygon-affine", "polygon-scale"}) {
+    const PolygonFamily& family = *find_polygon_family(name);
+    const std::size_t levels = family.levels(Format::binary32).size();
+    std::set<std::pair<Slot, std::size_t>> met;
+    for (std::uint64_t k = 0; k < approach_count * levels * shape_count * place_count; ++k) {
+      const PolygonTrial trial = family.make(Format::binary32, 1, k);
+      met.insert({slot_of(*trial.known), trial.level});
+    }
+    EXPECT_EQ(met.size(), all_constructions().size() * levels) << name;
+  }
 }
 
 TEST(PolygonFamilies, TheirShapesHaveAllPlaces) {
