@@ -80,6 +80,7 @@ std::optional<std::uint32_t> Visibility::first_in_list(const Ray& ray) {
 /// Whether a face of which the lanes could not tell is worth a question: the probe meets its own box by the limit. The
 /// leaf's box is that of up to eight faces, and an exact answer costs as much as many boxes.
 bool Visibility::is_worth_asking(const BoxProbe& probe, double limit, std::uint32_t id, RayTally& tally) const {
+  if (sifts_) return true;
   ++tally.box_tests;
   const Span span = probe.span(world_.box(id));
   return !span.empty() && span.first <= limit;
