@@ -13,9 +13,13 @@ constexpr int doublings = 64;  ///< from one unit roundoff (2⁻⁵³) to beyond
 
 double greatest(const Point3& p) { return std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}); }
 
-/// The exact side of a point: of a finite point, and of the face's plane.
+/// The exact side of the face's plane on which a point lies, or to which a direction leads; 0 if that is not finite.
 int side_of(const Triangle& t, const Point3& x) {
   return is_finite(x) ? value(FilteredKernel().orient3d(t.a, t.b, t.c, x)) : 0;
+}
+
+int side_of(const Triangle& t, const Direction& d) {
+  return is_finite(d.v) ? value(FilteredKernel().orient3d(t.a, t.b, t.c, d)) : 0;
 }
 
 }  // namespace
@@ -32,24 +36,34 @@ double Departures::smallest_step(const Landing& at) const {
 bool Departures::is_near_start(const Landing& at, const Point3& candidate, int side) {
   ++tally_.start_candidates;
   if (side_of(world_.triangles[at.face], candidate) != side) return false;
-  return candidate == at.origin || visibility_.faces_met({at.origin, candidate}, 0) == Visibility::Met::none;
+  return candidate == at.origin ||
+         visibility_.faces_met({at.origin, candidate}, Visibility::nobody, at.face) == Visibility::Met::none;
 }
 
-Point3 Departures::near_side(const Landing& at) {
+Start Departures::near_side(const Landing& at) {
   ++tally_.starts;
-  if (!proves_) return customary(at, 1);
+  if (!proves_) return {customary(at, 1)};
   const int side = side_of(world_.triangles[at.face], at.origin);
   const Point3 back = at.origin - at.point;
   const double length = greatest(back);
-  double step = 0;
-  for (int k = 0; side != 0 && k <= doublings && step < length; ++k) {
+  double step = smallest_step(at);
+  for (int k = 0; side != 0 && k <= doublings && step < length; ++k, step *= 2) {
     const Point3 candidate = in_format(at.point + (step / length) * back, world_.format);
-    if (is_near_start(at, candidate, side)) return candidate;
-    step = k == 0 ? smallest_step(at) : 2 * step;
+    if (is_near_start(at, candidate, side)) return {candidate, side};
   }
-  if (side != 0 && is_near_start(at, at.origin, side)) return at.origin;
+  if (side != 0 && is_near_start(at, at.origin, side)) return {at.origin, side};
   ++tally_.starts_unproved;
-  return customary(at, 1);
+  return {customary(at, 1)};
+}
+
+std::uint32_t Departures::left_behind(const Landing& at, const Start& start, const Point3& target) const {
+  const bool leaves = start.side != 0 && side_of(world_.triangles[at.face], target) == start.side;
+  return leaves ? at.face : Visibility::nobody;
+}
+
+std::uint32_t Departures::left_behind(const Landing& at, const Start& start, const Direction& target) const {
+  const bool leaves = start.side != 0 && side_of(world_.triangles[at.face], target) == start.side;
+  return leaves ? at.face : Visibility::nobody;
 }
 
 bool Departures::is_far_start(const Landing& at, const Point3& near, const Point3& candidate, int side) {

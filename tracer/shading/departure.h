@@ -43,6 +43,12 @@ struct Landing {
   Point3 point, normal;
 };
 
+/// A start on the near side of a face.
+struct Start {
+  Point3 point;
+  int side = 0;  ///< where it is proved: the sign of orient3d(a, b, c, point), not zero; else 0
+};
+
 /// Finds starts for one method in one world. One object a thread.
 class Departures {
  public:
@@ -50,10 +56,16 @@ class Departures {
       : world_(world), proves_(method.exact), visibility_(visibility), tally_(tally) {}
 
   /// On the side of the origin.
-  Point3 near_side(const Landing& at);
+  Start near_side(const Landing& at);
 
   /// Beyond the face. `near` is what near_side gave.
   Point3 far_side(const Landing& at, const Point3& near);
+
+  /// The face itself, if a probe from a proved start to a point, or in a direction, stays strictly on the start's side
+  /// of its plane, and so cannot meet it; else nobody. Without it each shadow ray would put the question that is
+  /// hardest for a filter: whether a point one rounding off a plane lies on it.
+  std::uint32_t left_behind(const Landing& at, const Start& start, const Point3& target) const;
+  std::uint32_t left_behind(const Landing& at, const Start& start, const Direction& target) const;
 
  private:
   Point3 customary(const Landing& at, double side) const;

@@ -3,6 +3,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "exact/filtered/filtered.h"
 #include "tracer/accel/wide/closest.h"
 
 namespace tribunal {
@@ -32,8 +33,8 @@ Answer Visibility::ask(const P& probe, std::uint32_t id) const {
 }
 
 template <class P>
-Answer Visibility::ask_counted(const P& probe, std::uint32_t id) {
-  const Answer answer = ask(probe, id);
+Answer Visibility::ask_counted(const P& probe, std::uint32_t id, std::uint32_t apart) {
+  const Answer answer = id == apart ? certain(false) : ask(probe, id);
   constexpr bool is_ray = std::is_same_v<P, Ray>;
   const bool hit = is_ray ? is_visible_hit(answer) : is_blocking_hit(answer);
   const bool polygon = world_.polygon_of[id] >= 0;
@@ -57,17 +58,17 @@ Sign Visibility::order(const Ray& ray, std::uint32_t id, std::uint32_t other) co
                               : sign_of(shading_parameter(ray, s) - shading_parameter(ray, t));
 }
 
-std::optional<std::uint32_t> Visibility::first_hit(const Ray& ray) {
+std::optional<std::uint32_t> Visibility::first_hit(const Ray& ray, std::uint32_t apart) {
   if (!is_finite(ray)) return std::nullopt;
-  return world_.triangles.tree() != nullptr ? first_in_tree(ray) : first_in_list(ray);
+  return world_.triangles.tree() != nullptr ? first_in_tree(ray, apart) : first_in_list(ray, apart);
 }
 
-std::optional<std::uint32_t> Visibility::first_in_list(const Ray& ray) {
+std::optional<std::uint32_t> Visibility::first_in_list(const Ray& ray, std::uint32_t apart) {
   const BoxProbe probe(ray);
   double limit = std::numeric_limits<double>::infinity();
   std::optional<std::uint32_t> best;
   world_.triangles.visit(probe, limit, waiting_, tally_, [&](std::uint32_t id) {
-    if (!is_visible_hit(ask_counted(ray, id))) return false;
+    if (!is_visible_hit(ask_counted(ray, id, apart))) return false;
     const Sign sign = best ? order(ray, id, *best) : Sign::negative;
     if (sign == Sign::negative || (sign == Sign::zero && id < *best)) best = id;
     const Span span = probe.span(world_.box(id));
@@ -90,20 +91,21 @@ bool Visibility::is_worth_asking(const BoxProbe& probe, double limit, std::uint3
 struct Visibility::Judge {
   Visibility& eye;
   const Ray& ray;
+  std::uint32_t apart;
   const BoxProbe probe{ray};
 
   bool sees(Place, std::uint32_t id, double limit) const {
-    return eye.is_worth_asking(probe, limit, id, eye.tally_) && is_visible_hit(eye.ask_counted(ray, id));
+    return eye.is_worth_asking(probe, limit, id, eye.tally_) && is_visible_hit(eye.ask_counted(ray, id, apart));
   }
   Span span(Place, std::uint32_t id) const { return probe.span(eye.world_.box(id)); }
   bool is_exact() const { return eye.sifts_; }
   Sign order(const BoundedHit& a, const BoundedHit& b) const { return eye.order(ray, a.id, b.id); }
 };
 
-std::optional<std::uint32_t> Visibility::first_in_tree(const Ray& ray) {
+std::optional<std::uint32_t> Visibility::first_in_tree(const Ray& ray, std::uint32_t apart) {
   const WideTree& tree = *world_.triangles.tree();
   const WideProbe probe(ray, tree.frame());
-  Judge judge{*this, ray};
+  Judge judge{*this, ray, apart};
   ClosestFinder finder(tree, probe, judge);
   WalkCounts counts;
   if (sifts_) {
@@ -161,17 +163,17 @@ std::uint64_t Visibility::along(const Segment& way, RayTally& tally, const Hit& 
   return counts.missed;
 }
 
-bool Visibility::is_blocked(const Segment& way) {
+bool Visibility::is_blocked(const Segment& way, std::uint32_t apart) {
   if (!is_finite(way)) return false;
   bool blocked = false, certainly = false;
   const std::uint64_t missed = along(
       way, tally_, [&](std::uint32_t) { return blocked = certainly = true; },
-      [&](std::uint32_t id) { return blocked = is_blocking_hit(ask_counted(way, id)); });
+      [&](std::uint32_t id) { return blocked = is_blocking_hit(ask_counted(way, id, apart)); });
   count_certain(missed + certainly, certainly);
   return blocked;
 }
 
-Visibility::Met Visibility::faces_met(const Segment& way, std::uint32_t the_one) {
+Visibility::Met Visibility::faces_met(const Segment& way, std::uint32_t the_one, std::uint32_t apart) {
   if (!is_finite(way)) return Met::more;
   RayTally uncounted;
   bool met_the_one = false, met_another = false;
@@ -182,7 +184,7 @@ Visibility::Met Visibility::faces_met(const Segment& way, std::uint32_t the_one)
   std::uint64_t told = 0;
   const std::uint64_t missed = along(
       way, uncounted, [&](std::uint32_t id) { return ++told, meet(id); },
-      [&](std::uint32_t id) { return ++told, is_visible_hit(ask(way, id)) && meet(id); });
+      [&](std::uint32_t id) { return ++told, id != apart && is_visible_hit(ask(way, id)) && meet(id); });
   tally_.start_tests += told + missed;
   return met_another ? Met::more : met_the_one ? Met::only_the_one : Met::none;
 }

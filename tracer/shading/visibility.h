@@ -40,15 +40,19 @@ class Visibility {
   /// The tree is pruned by a proved bound: a face that is exactly hit lies in its box, so t is at most the upper
   /// end of the ray's span in that box; boxes whose span begins later hold only later hits. Only an inexact method
   /// that reports hits outside a face's box can answer differently with and without a tree.
-  std::optional<std::uint32_t> first_hit(const Ray& ray);
+  ///
+  /// `apart` is a face that the caller knows the probe not to meet, here and below: it counts as asked, but is not.
+  std::optional<std::uint32_t> first_hit(const Ray& ray, std::uint32_t apart = nobody);
 
   /// Whether something blocks the light on its way.
-  bool is_blocked(const Segment& way);
+  bool is_blocked(const Segment& way, std::uint32_t apart = nobody);
 
   /// What a closed segment meets, ends included: nothing, the given face alone, or anything else. Counted as
   /// start_tests. A segment that is not finite is `more`.
   enum class Met : std::uint8_t { none, only_the_one, more };
-  Met faces_met(const Segment& way, std::uint32_t the_one);
+  Met faces_met(const Segment& way, std::uint32_t the_one, std::uint32_t apart = nobody);
+
+  static constexpr std::uint32_t nobody = ~std::uint32_t{0};
 
   /// Whether the method counts this face as a hit of this probe, as the tracer reads it.
   bool sees(const Probe& probe, std::uint32_t id) const;
@@ -58,8 +62,8 @@ class Visibility {
  private:
   struct Judge;
 
-  std::optional<std::uint32_t> first_in_tree(const Ray& ray);
-  std::optional<std::uint32_t> first_in_list(const Ray& ray);
+  std::optional<std::uint32_t> first_in_tree(const Ray& ray, std::uint32_t apart);
+  std::optional<std::uint32_t> first_in_list(const Ray& ray, std::uint32_t apart);
 
   /// Calls hit(id) for all hits on a segment, and other(id) for faces that are to be asked, until one returns true.
   /// Returns how many triangles were certainly missed.
@@ -71,7 +75,7 @@ class Visibility {
   template <class P>
   Answer ask(const P& probe, std::uint32_t id) const;
   template <class P>
-  Answer ask_counted(const P& probe, std::uint32_t id);
+  Answer ask_counted(const P& probe, std::uint32_t id, std::uint32_t apart);
   void count_certain(std::uint64_t tests, std::uint64_t hits);
   Sign order(const Ray& ray, std::uint32_t id, std::uint32_t other) const;
 

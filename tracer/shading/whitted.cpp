@@ -59,9 +59,9 @@ void WhittedTracer::note(RayKind kind, const Probe& probe, std::int64_t outcome,
   if (log_) log_->push_back({kind, probe, outcome});
 }
 
-Colour WhittedTracer::trace(const Ray& wanted, RayKind kind, int depth) {
+Colour WhittedTracer::trace(const Ray& wanted, RayKind kind, int depth, std::uint32_t apart) {
   const Ray ray{in_format(wanted.o, world_.format), {in_format(wanted.d.v, world_.format)}};
-  const std::optional<std::uint32_t> hit = visibility_.first_hit(ray);
+  const std::optional<std::uint32_t> hit = visibility_.first_hit(ray, apart);
   note(kind, ray, hit ? std::int64_t{*hit} : -1, hit.has_value());
   return hit ? shade(surface_at(ray, *hit), depth) : world_.scene->background;
 }
@@ -75,7 +75,7 @@ WhittedTracer::Surface WhittedTracer::surface_at(const Ray& ray, std::uint32_t i
   return {{ray.o, id, hit_point(ray, t, world_.box(id)), facing}, view, from_outside, world_.material_of(id)};
 }
 
-const Point3& WhittedTracer::near_start(Surface& s) {
+const Start& WhittedTracer::near_start(Surface& s) {
   if (!s.near) s.near = departures_.near_side(s.at);
   return *s.near;
 }
@@ -96,8 +96,9 @@ Colour WhittedTracer::light_on(Surface& s, const Light& light) {
   if (!(cosine > 0)) return {};
   const double strength = strength_at(light, s.at.point);
   if (!(strength > 0)) return {};
-  const Segment way{near_start(s), in_format(light.position, world_.format)};
-  const bool blocked = visibility_.is_blocked(way);
+  const Start& start = near_start(s);
+  const Segment way{start.point, in_format(light.position, world_.format)};
+  const bool blocked = visibility_.is_blocked(way, departures_.left_behind(s.at, start, way.q));
   note(RayKind::shadow, way, blocked, blocked);
   if (blocked) return {};
   const Material& m = s.material;
@@ -110,7 +111,10 @@ Colour WhittedTracer::light_on(Surface& s, const Light& light) {
 }
 
 Colour WhittedTracer::reflected(Surface& s, int depth) {
-  return trace({near_start(s), {mirrored(s.view, s.at.normal)}}, RayKind::reflection, depth - 1);
+  const Start& start = near_start(s);
+  const Direction direction{in_format(mirrored(s.view, s.at.normal), world_.format)};
+  return trace({start.point, direction}, RayKind::reflection, depth - 1,
+               departures_.left_behind(s.at, start, direction));
 }
 
 /// Total internal reflection sends the refracted share back inside.
@@ -118,7 +122,8 @@ Colour WhittedTracer::refracted(Surface& s, int depth) {
   const double eta = s.from_outside ? 1 / s.material.refractive_index : s.material.refractive_index;
   const std::optional<Point3> direction = refract(s.view, s.at.normal, eta);
   if (!direction) return reflected(s, depth);
-  return trace({departures_.far_side(s.at, near_start(s)), {*direction}}, RayKind::refraction, depth - 1);
+  const Point3 start = departures_.far_side(s.at, near_start(s).point);
+  return trace({start, {*direction}}, RayKind::refraction, depth - 1, Visibility::nobody);
 }
 
 }  // namespace tribunal

@@ -28,7 +28,7 @@ class WhittedTracer {
   WhittedTracer(const WhittedTracer&) = delete;
 
   /// Light that arrives along a primary ray, with this many generations of rays.
-  Colour trace(const Ray& primary, int depth) { return trace(primary, RayKind::primary, depth); }
+  Colour trace(const Ray& primary, int depth) { return trace(primary, RayKind::primary, depth, Visibility::nobody); }
 
   /// A hash of the outcomes of all decisions since the last call.
   std::uint64_t take_hash();
@@ -40,16 +40,16 @@ class WhittedTracer {
     Point3 view;
     bool from_outside;
     const Material& material;
-    std::optional<Point3> near{};  ///< start on the viewer's side, once it is needed
+    std::optional<Start> near{};  ///< start on the viewer's side, once it is needed
   };
 
-  Colour trace(const Ray& ray, RayKind kind, int depth);
+  Colour trace(const Ray& ray, RayKind kind, int depth, std::uint32_t apart);
   Surface surface_at(const Ray& ray, std::uint32_t id) const;
   Colour shade(Surface s, int depth);
   Colour light_on(Surface& s, const Light& light);
   Colour reflected(Surface& s, int depth);
   Colour refracted(Surface& s, int depth);
-  const Point3& near_start(Surface& s);
+  const Start& near_start(Surface& s);
   void note(RayKind kind, const Probe& probe, std::int64_t outcome, bool hit);
 
   const World& world_;
