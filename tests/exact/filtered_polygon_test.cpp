@@ -101,6 +101,20 @@ TEST(FilteredPolygon, ScaleWalksFromUnderflowToOverflow) {
   EXPECT_GT(stages[Stage::expansion] + stages[Stage::exact], 300);
 }
 
+/// The bounds grow with the distance of the eye, not with its cube.
+TEST(FilteredPolygon, AFarEyeIsTheFilters) {
+  const PolygonData polygon = PolygonData{}.add(std::vector<Point3>{{0, 0, 1}, {9, 0, 2}, {9, 9, 5}, {0, 9, 4}});
+  const FilteredPolygon filtered(polygon);
+  for (int e = 0; e <= 30; ++e) {
+    const Point3 eye{std::ldexp(0.3, e), std::ldexp(-0.7, e), std::ldexp(1, e) + 9};
+    for (const double x : {2.125, 8.875, 9.125}) {
+      const Point3 aim{x, 3.25, 1 + x / 9 + 3 * 3.25 / 9};  // in the plane
+      EXPECT_EQ(filtered.filter_hits(Ray{eye, {aim - eye}}), x < 9) << e;
+      EXPECT_EQ(filtered.filter_hits(Segment{eye, aim + (aim - eye)}), x < 9) << e;
+    }
+  }
+}
+
 /// Polygons are prepared and asked in a foreign environment; the expected answers come from the default one.
 class ForeignPolygonEnvironment : public testing::TestWithParam<unsigned> {
  protected:

@@ -35,8 +35,8 @@ for example in "${examples[@]}"; do
     { echo "$example prints something else" >&2; exit 1; }
 done
 
-# The two headers that strangers include drag in neither CGAL nor GMP nor Highway.
-for header in filtered batch; do
+# The headers that strangers include drag in neither CGAL nor GMP nor Highway.
+for header in filtered filtered_polygon batch; do
   echo "#include \"exact/filtered/$header.h\"" >"$scratch/include.cpp"
   if "$CXX" -std=c++20 -I"$SOURCE_DIR" -M "$scratch/include.cpp" | grep -E 'CGAL|gmp|hwy'; then
     echo "exact/filtered/$header.h includes more than it says" >&2
