@@ -6,18 +6,17 @@
 namespace tribunal {
 namespace {
 
-/// Asks the certified test, but not of triangles whose own box is missed, or met too late.
+/// Asks the certified test.
 struct Certified {
   const WideTree& tree;
   const Ray& ray;
 
-  bool sees(Place p, std::uint32_t, double limit) const {
-    const Span in_box = span(p, 0);
-    if (in_box.empty() || in_box.first > limit) return false;
+  bool sees(Place p, std::uint32_t, double) const {
     const Answer a = intersect(ray, tree.triangle(p));
     return a.hit && a.contact != Contact::coplanar;
   }
   Span span(Place p, std::uint32_t) const { return BoxProbe(ray).span(box_of(tree.triangle(p))); }
+  Triangle plane(Place p, std::uint32_t) const { return tree.triangle(p); }
   static bool is_exact() { return true; }
   Sign order(const BoundedHit& a, const BoundedHit& b) const {
     return compare_hits(ray, tree.triangle(a.place), tree.triangle(b.place));

@@ -78,12 +78,13 @@ std::optional<std::uint32_t> Visibility::first_in_list(const Ray& ray, std::uint
   return best;
 }
 
-/// Whether a face of which the lanes could not tell is worth a question: the probe meets its own box by the limit. The
-/// leaf's box is that of up to eight faces, and an exact answer costs as much as many boxes.
-bool Visibility::is_worth_asking(const BoxProbe& probe, double limit, std::uint32_t id, RayTally& tally) const {
+/// Whether a face of which the lanes could not tell is worth a question: always of a method that sifts, which answers
+/// at the price of a box; else the probe must meet its own box by the limit, since the leaf's is that of up to eight.
+template <class P>
+bool Visibility::is_worth_asking(const P& probe, double limit, std::uint32_t id, RayTally& tally) const {
   if (sifts_) return true;
   ++tally.box_tests;
-  const Span span = probe.span(world_.box(id));
+  const Span span = BoxProbe(probe).span(world_.box(id));
   return !span.empty() && span.first <= limit;
 }
 
@@ -92,12 +93,12 @@ struct Visibility::Judge {
   Visibility& eye;
   const Ray& ray;
   std::uint32_t apart;
-  const BoxProbe probe{ray};
 
   bool sees(Place, std::uint32_t id, double limit) const {
-    return eye.is_worth_asking(probe, limit, id, eye.tally_) && is_visible_hit(eye.ask_counted(ray, id, apart));
+    return eye.is_worth_asking(ray, limit, id, eye.tally_) && is_visible_hit(eye.ask_counted(ray, id, apart));
   }
-  Span span(Place, std::uint32_t id) const { return probe.span(eye.world_.box(id)); }
+  Span span(Place, std::uint32_t id) const { return BoxProbe(ray).span(eye.world_.box(id)); }
+  Triangle plane(Place, std::uint32_t id) const { return eye.world_.triangles[id]; }
   bool is_exact() const { return eye.sifts_; }
   Sign order(const BoundedHit& a, const BoundedHit& b) const { return eye.order(ray, a.id, b.id); }
 };
@@ -149,8 +150,7 @@ std::uint64_t Visibility::along(const Segment& way, RayTally& tally, const Hit& 
     return 0;
   }
   const WideProbe probe(way, tree->frame());
-  const BoxProbe own(way);
-  const auto ask = [&](std::uint32_t id) { return is_worth_asking(own, 1, id, tally) && other(id); };
+  const auto ask = [&](std::uint32_t id) { return is_worth_asking(way, 1, id, tally) && other(id); };
   SegmentFinder finder(*tree, hit, ask);
   finder.limit = probe.limit_at(1);
   WalkCounts counts;

@@ -70,7 +70,8 @@ class Visibility {
   template <class Hit, class Other>
   std::uint64_t along(const Segment& way, RayTally& tally, const Hit& hit, const Other& other);
 
-  bool is_worth_asking(const BoxProbe& probe, double limit, std::uint32_t id, RayTally& tally) const;
+  template <class P>
+  bool is_worth_asking(const P& probe, double limit, std::uint32_t id, RayTally& tally) const;
 
   template <class P>
   Answer ask(const P& probe, std::uint32_t id) const;

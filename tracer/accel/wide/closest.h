@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/sign.h"
+#include "exact/filtered/term_filter.h"
 #include "tracer/accel/wide/traversal.h"
 
 namespace tribunal {
@@ -16,14 +17,23 @@ struct HitBounds {
   double nearest_to(double x) const { return x >= least ? std::min(x, greatest) : least; }
 };
 
-/// Of a triangle that the ray hits. The hit is at N/D with |N − num|, |D − den| ≤ bound, so where den is certain,
-///   (|num| − bound)/(|den| + bound) ≤ t ≤ (|num| + bound)/(|den| − bound);
+/// Of a plane that the ray crosses at N/D with |N − num| ≤ e and |D − den| ≤ g: where den is certain,
+///   (|num| − e)/(|den| + g) ≤ t ≤ (|num| + e)/(|den| − g);
 /// each operation is rounded outward by the law of box.h.
-inline HitBounds hit_bounds(const Finding& f) {
-  const double n = f.den < 0 ? -f.num : f.num, d = f.den < 0 ? -f.den : f.den;
-  if (!(d > f.bound)) return {};
-  return {std::max(0.0, below(below(n - f.bound) / above(d + f.bound))),
-          above(above(n + f.bound) / below(d - f.bound))};
+inline HitBounds hit_bounds(double num, double e, double den, double g) {
+  const double n = den < 0 ? -num : num, d = den < 0 ? -den : den;
+  if (!(d > g)) return {};
+  return {std::max(0.0, below(below(n - e) / above(d + g))), above(above(n + e) / below(d - g))};
+}
+
+/// The same by the second filter's bounds, which stay close where the triangle is small and far away.
+inline HitBounds hit_bounds(const Ray& ray, const Triangle& t) {
+  const FilterConstants<double>& c = volume_terms_filter;
+  const Vec3<double> a = lift<double>(t.a), u = arm<double>(a, t.b), v = arm<double>(a, t.c), w = arm<double>(a, ray.o),
+                     d = lift<double>(ray.d.v);
+  if (!in_range(largest(u, v, w, d), c)) return {};
+  const Expansion<double> height = expanded(u, v, w), gain = expanded(u, v, d);
+  return hit_bounds(height.value, c.k * height.terms + c.tiny, -gain.value, c.k * gain.terms + c.tiny);
 }
 
 /// A hit and the bounds of its parameter. `t` is rounded, and within them.
@@ -37,6 +47,7 @@ struct BoundedHit {
 /// Keeps the closest hit: least exact t, ties by lowest id. `Judge` has
 ///   bool sees(place, id, limit)   whether an uncertain finding is a hit; no matter what if that is at t > limit;
 ///   Span span(place, id)   of the ray in the box of a hit, for hits of whose t the walk knows little;
+///   Triangle plane(place, id)   three points of the plane of a hit;
 ///   bool is_exact()   whether the hits that it sees are hits indeed, so that they lie in their boxes;
 ///   Sign order(hit, other)   sign of t₁ − t₂, asked only where bounds overlap.
 template <class Judge>
@@ -62,11 +73,15 @@ class ClosestFinder final : public Finder {
   std::uint64_t certain() const { return certain_; }
 
  private:
-  /// By the volumes; where those say little, as they do from afar, also by the box. Lowers latest_.
+  static bool are_close(const HitBounds& b) { return b.least > (1 - 0x1p-20) * b.greatest; }
+
+  /// By the lanes' volumes; where those say little, as they do from afar, by closer ones or else by the box. Lowers
+  /// latest_.
   HitBounds bounds_of(const Finding& f, std::uint32_t id) {
-    HitBounds bounds = hit_bounds(f);
+    HitBounds bounds = hit_bounds(f.num, f.bound, f.den, f.bound);
+    if (!are_close(bounds) && judge_.is_exact()) bounds = hit_bounds(judge_.ray, judge_.plane(f.place, id));
     latest_ = std::min(latest_, bounds.greatest);
-    if (bounds.least > (1 - 0x1p-20) * bounds.greatest) return bounds;
+    if (are_close(bounds)) return bounds;
     const Span span = judge_.span(f.place, id);
     if (span.empty()) return bounds;
     latest_ = std::min(latest_, span.last);
