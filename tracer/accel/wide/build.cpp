@@ -252,7 +252,7 @@ class WideBuilder {
 
   NodeRef fill_leaf(Refs refs) {
     const auto first = static_cast<std::uint32_t>(refs.data() - refs_.data());
-    const NodeRef leaf = NodeRef::leaf(first, static_cast<std::uint32_t>(refs.size()));
+    const NodeRef leaf = NodeRef::leaf(first, static_cast<std::uint32_t>(refs.size()), refs[0].is_triangle);
     std::sort(refs.begin(), refs.end(), [](const BuildRef& a, const BuildRef& b) { return a.id < b.id; });
     double* column = tree_.columns_.data() + column_count * first;
     for (std::size_t lane = 0; lane < refs.size(); ++lane) {
@@ -273,7 +273,7 @@ class WideBuilder {
 };
 
 WideTree::WideTree(std::uint32_t count, const std::function<Primitive(std::uint32_t)>& primitive) {
-  if (count > NodeRef::most_triangles) throw std::length_error("tree: more than 2^28 primitives");
+  if (count > NodeRef::most_primitives) throw std::length_error("tree: more than 2^27 primitives");
   WideBuilder(*this, count, primitive).build();
 }
 

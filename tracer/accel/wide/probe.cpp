@@ -40,13 +40,14 @@ WideProbe::WideProbe(const Point3& o, const Point3& d, double growth, const Fram
     return;
   }
   const double widening = (frame.reach + start) * 0x1p-20 + 0x1p-100;
-  const double inverse = 1 / power;
+  const double least = smallest_component * power, steepest = 1 / smallest_component;
   for (int i = 0; i < 3; ++i) {
-    const double delta = brought[i] * inverse;
-    const double magnitude = std::max(std::fabs(delta), smallest_component);
-    const float r = static_cast<float>(std::copysign(1 / magnitude, delta));
+    // 1/δ as (1/d)·power: the division need not wait for the largest component.
+    const double inverse = 1 / std::fabs(brought[i]) * power;
+    const double bounded = std::fabs(brought[i]) > least ? inverse : steepest;
+    const float r = static_cast<float>(std::copysign(bounded, brought[i]));
     const double c = s[i] * static_cast<double>(r), e = widening * std::fabs(static_cast<double>(r));
-    const std::uint32_t axis = static_cast<std::uint32_t>(i), backward = std::signbit(delta) ? 3 : 0;
+    const std::uint32_t axis = static_cast<std::uint32_t>(i), backward = std::signbit(brought[i]) ? 3 : 0;
     axes[axis] = {r, static_cast<float>(c + e), static_cast<float>(c - e), axis + backward, axis + 3 - backward};
   }
 }

@@ -219,21 +219,26 @@ class LeafSieve {
                                     Lanes(shared_volumes_filter.huge)};
 };
 
+/// Tells of all primitives of a leaf, with nothing known of them.
+inline bool tell_all(NodeRef leaf, Finder& finder) {
+  for (std::uint32_t lane = 0; lane < leaf.count(); ++lane) {
+    if (finder.found({{leaf, lane}, false, 0, 0, std::numeric_limits<double>::infinity()})) return true;
+  }
+  return false;
+}
+
 template <class P>
 [[gnu::flatten]] void sift(const WideTree& tree, const WideProbe& probe, const P& exact_probe, Finder& finder,
                            WalkCounts& counts) {
   const LeafSieve<P> sieve(exact_probe);
-  walk(tree, probe, finder, counts, [&](NodeRef leaf) { return sieve.sift(tree, leaf, finder, counts); });
+  walk(tree, probe, finder, counts, [&](NodeRef leaf) {
+    return leaf.holds_triangles() ? sieve.sift(tree, leaf, finder, counts) : tell_all(leaf, finder);
+  });
 }
 
 [[gnu::flatten]] inline void visit_all(const WideTree& tree, const WideProbe& probe, Finder& finder,
                                        WalkCounts& counts) {
-  walk(tree, probe, finder, counts, [&](NodeRef leaf) {
-    for (std::uint32_t lane = 0; lane < leaf.count(); ++lane) {
-      if (finder.found({{leaf, lane}, false, 0, 0, std::numeric_limits<double>::infinity()})) return true;
-    }
-    return false;
-  });
+  walk(tree, probe, finder, counts, [&](NodeRef leaf) { return tell_all(leaf, finder); });
 }
 
 inline constexpr TreeTarget tree_target_here() { return {sift<Ray>, sift<Segment>, visit_all}; }

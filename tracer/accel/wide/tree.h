@@ -17,22 +17,24 @@ namespace tribunal {
 
 inline constexpr std::size_t node_width = 8, leaf_size = 8, column_count = 10;
 
-/// What a slot of a node refers to: a node by its index, or a leaf by its first triangle and their number.
+/// What a slot of a node refers to: a node by its index, or a leaf by its first primitive, their number, and whether
+/// they are triangles.
 class NodeRef {
  public:
-  static constexpr std::uint32_t most_triangles = 1u << 28;
+  static constexpr std::uint32_t most_primitives = 1u << 27;
 
   constexpr NodeRef() = default;
   explicit constexpr NodeRef(std::uint32_t bits) : bits_(bits) {}
   static constexpr NodeRef node(std::uint32_t index) { return NodeRef(index); }
-  static constexpr NodeRef leaf(std::uint32_t first, std::uint32_t count) {
-    return NodeRef(1u << 31 | (count - 1) << 28 | first);
+  static constexpr NodeRef leaf(std::uint32_t first, std::uint32_t count, bool triangles = true) {
+    return NodeRef(1u << 31 | (count - 1) << 28 | (triangles ? 0 : most_primitives) | first);
   }
 
   constexpr bool is_leaf() const { return bits_ >> 31 != 0; }
   constexpr std::uint32_t index() const { return bits_; }
-  constexpr std::uint32_t first() const { return bits_ & (most_triangles - 1); }
+  constexpr std::uint32_t first() const { return bits_ & (most_primitives - 1); }
   constexpr std::uint32_t count() const { return (bits_ >> 28 & 7) + 1; }
+  constexpr bool holds_triangles() const { return (bits_ & most_primitives) == 0; }
   constexpr std::uint32_t bits() const { return bits_; }
 
  private:
@@ -76,7 +78,7 @@ class WideTree {
   WideTree() = default;
 
   /// Over primitives 0 … count − 1. The tree depends on the primitives alone, not on the number of threads that build
-  /// it. Coordinates must be finite. Throws std::length_error beyond 2²⁸ primitives.
+  /// it. Coordinates must be finite. Throws std::length_error beyond 2²⁷ primitives.
   WideTree(std::uint32_t count, const std::function<Primitive(std::uint32_t)>& primitive);
 
   bool empty() const { return columns_.empty(); }
