@@ -486,6 +486,19 @@ TEST(WideTree, TakesAtMost160BytesATriangle) {
   EXPECT_LE(static_cast<double>(TriangleTree(triangles_of(mesh)).bytes()) / count, 100);
 }
 
+/// A mesh about its own middle has planes at 0, whose outward neighbours are subnormal: those cost half of the speed.
+TEST(WideTree, HasNoSubnormalPlanes) {
+  const WideTree tree = tree_over({box_between(Point3(-1), Point3(0)), box_between(Point3(0), Point3(1)),
+                                   box_between(Point3(-1, 0, -0.0), Point3(0, 1, 0x1p-1074)),
+                                   box_between(Point3(-0x1p-1060), Point3(0)), box_between(Point3(0), Point3(0, 1, 1)),
+                                   box_between(Point3(0), Point3(0)), box_between(Point3(0, 0, -1), Point3(1, 0, 0)),
+                                   box_between(Point3(0), Point3(0x1p-1022)), box_between(Point3(0), Point3(1, 0, 1))});
+  ASSERT_EQ(tree.node_count(), 1u);
+  for (const auto& planes : tree.nodes()[0].plane) {
+    for (const float x : planes) EXPECT_TRUE(x == 0 || std::fabs(x) >= 0x1p-100F) << x;
+  }
+}
+
 /// Equal boxes cannot be parted by cost; all primitives are found all the same.
 TEST(WideTree, HandlesEqualBoxes) {
   const std::vector<Box> boxes(5000, box_between(Point3(0), Point3(1)));

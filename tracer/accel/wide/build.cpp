@@ -19,7 +19,9 @@ constexpr int deepest_by_cost = 48;         ///< below this, medians halve what 
 constexpr std::size_t worth_a_task = 4096;  ///< primitives; fixed, so that the tree does not depend on threads
 constexpr float beyond = 0x1p100F;
 
+/// No subnormal number, and none whose products with reciprocals are: processors take 150 cycles more for those.
 float float_below(double x) {
+  if (std::fabs(x) < 0x1p-100) return x < 0 ? -0x1p-100F : 0.0F;
   const float f = static_cast<float>(to_binary32(x));
   return static_cast<double>(f) > x ? std::nextafterf(f, -FrameBox::infinity) : f;
 }

@@ -6,7 +6,13 @@
 namespace tribunal {
 namespace {
 
+/// The three axes at once, in as many registers as that takes.
+using Double4 = double __attribute__((vector_size(32)));
+using Bits4 = std::int64_t __attribute__((vector_size(32)));
+using Float4 = float __attribute__((vector_size(16)));
+
 constexpr double smallest_component = 0x1p-60, farthest_start = 0x1p30;
+constexpr std::int64_t sign_bit = INT64_MIN;
 constexpr std::uint64_t exponent_bits = 0x7ff0000000000000;
 
 double largest(const Point3& p) { return std::max(std::max(std::fabs(p.x), std::fabs(p.y)), std::fabs(p.z)); }
@@ -39,16 +45,17 @@ WideProbe::WideProbe(const Point3& o, const Point3& d, double growth, const Fram
     meet_everything();
     return;
   }
-  const double widening = (frame.reach + start) * 0x1p-20 + 0x1p-100;
-  const double least = smallest_component * power, steepest = 1 / smallest_component;
-  for (int i = 0; i < 3; ++i) {
-    // 1/δ as (1/d)·power: the division need not wait for the largest component.
-    const double inverse = 1 / std::fabs(brought[i]) * power;
-    const double bounded = std::fabs(brought[i]) > least ? inverse : steepest;
-    const float r = static_cast<float>(std::copysign(bounded, brought[i]));
-    const double c = s[i] * static_cast<double>(r), e = widening * std::fabs(static_cast<double>(r));
-    const std::uint32_t axis = static_cast<std::uint32_t>(i), backward = std::signbit(brought[i]) ? 3 : 0;
-    axes[axis] = {r, static_cast<float>(c + e), static_cast<float>(c - e), axis + backward, axis + 3 - backward};
+  const double widening = (frame.reach + start) * 0x1p-20 + 0x1p-100, inverse = 1 / power;
+  const Double4 from{s.x, s.y, s.z, 0}, delta = Double4{brought.x, brought.y, brought.z, 1} * inverse;
+  const Bits4 sign = reinterpret_cast<Bits4>(delta) & sign_bit;
+  const Double4 magnitude = reinterpret_cast<Double4>(reinterpret_cast<Bits4>(delta) & ~sign_bit);
+  const Double4 positive = 1 / (magnitude < smallest_component ? Double4{} + smallest_component : magnitude);
+  const Float4 r = __builtin_convertvector(reinterpret_cast<Double4>(reinterpret_cast<Bits4>(positive) | sign), Float4);
+  const Double4 c = from * __builtin_convertvector(r, Double4), e = widening * (positive * (1 + 0x1p-23));
+  const Float4 near_c = __builtin_convertvector(c + e, Float4), far_c = __builtin_convertvector(c - e, Float4);
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    const std::uint32_t backward = sign[i] != 0 ? 3 : 0;
+    axes[i] = {r[i], near_c[i], far_c[i], i + backward, i + 3 - backward};
   }
 }
 
