@@ -6,6 +6,15 @@
 
 namespace tribunal {
 
+double power(double x, double e) {
+  if (!(e <= 65536) || e != std::floor(e)) return std::pow(x, e);
+  double result = 1, square = x;
+  for (auto n = static_cast<unsigned>(e); n != 0; n >>= 1, square *= square) {
+    if (n & 1) result *= square;
+  }
+  return result;
+}
+
 Point3 normalised(const Point3& v) {
   const double square = glm::dot(v, v);
   if (square > 0x1p-900 && square < 0x1p900) return v / std::sqrt(square);

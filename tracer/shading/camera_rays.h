@@ -23,6 +23,9 @@ class CameraRays {
   int width_, height_;
 };
 
+/// x to the power e, x ≥ 0, e ≥ 0: for whole exponents by multiplications alone, so that no library's rounding shows.
+double power(double x, double e);
+
 /// v / |v|, without overflow or underflow on the way; the zero vector stays.
 Point3 normalised(const Point3& v);
 

@@ -23,7 +23,7 @@ double strength_at(const Light& light, const Point3& point) {
   const double cosine = glm::dot(normalised(point - light.position), normalised(*light.aim - light.position));
   if (cosine < light.cone_cosine) return 0;
   if (light.concentration == 0) return 1;
-  return cosine > 0 ? std::pow(cosine, light.concentration) : 0;
+  return cosine > 0 ? power(cosine, light.concentration) : 0;
 }
 
 }  // namespace tribunal

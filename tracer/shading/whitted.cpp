@@ -105,7 +105,7 @@ Colour WhittedTracer::light_on(Surface& s, const Light& light) {
   Colour colour = m.diffuse * cosine * (m.colour * light.colour);
   if (m.specular > 0) {
     const double shine = std::max(0.0, glm::dot(mirrored(to_light, s.at.normal), s.view));
-    colour += m.specular * std::pow(shine, m.shininess) * light.colour;
+    colour += m.specular * power(shine, m.shininess) * light.colour;
   }
   return strength * colour;
 }

@@ -20,6 +20,11 @@ double largest(const Point3& p) { return std::max(std::max(std::fabs(p.x), std::
 /// 2^e for a normal x with 2^e ≤ |x| < 2^(e+1); 0 for a subnormal one.
 double power_below(double x) { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & exponent_bits); }
 
+/// 1 / 2^e, both normal.
+double inverse_of(double power) {
+  return std::bit_cast<double>((std::uint64_t{2046} << 52) - std::bit_cast<std::uint64_t>(power));
+}
+
 /// Whether both 2^e and its inverse are normal.
 bool is_ordinary(double power) { return power >= 0x1p-1000 && power <= 0x1p1000; }
 
@@ -45,7 +50,7 @@ WideProbe::WideProbe(const Point3& o, const Point3& d, double growth, const Fram
     meet_everything();
     return;
   }
-  const double widening = (frame.reach + start) * 0x1p-20 + 0x1p-100, inverse = 1 / power;
+  const double widening = (frame.reach + start) * 0x1p-20 + 0x1p-100, inverse = inverse_of(power);
   const Double4 from{s.x, s.y, s.z, 0}, delta = Double4{brought.x, brought.y, brought.z, 1} * inverse;
   const Bits4 sign = reinterpret_cast<Bits4>(delta) & sign_bit;
   const Double4 magnitude = reinterpret_cast<Double4>(reinterpret_cast<Bits4>(delta) & ~sign_bit);
