@@ -55,6 +55,33 @@ std::optional<Sign> filter_orient3d_by_terms(const Point3& a, const Point3& b, c
   return filter_terms(arm<N>(o, b), arm<N>(o, p), arm<N>(o, x), c);
 }
 
+/// The plane of a triangle, for many questions on which side something lies: orient3d(a, b, c, x), the minors taken
+/// once. The third arm comes last instead of first, which changes nothing in the count of roundings.
+class PlaneFilter {
+ public:
+  explicit PlaneFilter(const Triangle& t) : a_(lift<double>(t.a)) {
+    const Vec3<double> u = arm<double>(a_, t.b), v = arm<double>(a_, t.c);
+    normal_ = {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+    terms_ = {magnitude(u.y * v.z) + magnitude(u.z * v.y), magnitude(u.z * v.x) + magnitude(u.x * v.z),
+              magnitude(u.x * v.y) + magnitude(u.y * v.x)};
+    in_range_ = in_range(largest(u, v), volume_terms_filter);
+  }
+
+  /// Of a point or a direction; nothing where rounding could matter.
+  template <class X>
+  std::optional<Sign> side(const X& x) const {
+    const Vec3<double> w = arm<double>(a_, x);
+    if (!in_range_ || !in_range(w, volume_terms_filter)) return std::nullopt;
+    return sign_of(Expansion<double>{normal_.x * w.x + normal_.y * w.y + normal_.z * w.z,
+                                     terms_.x * magnitude(w.x) + terms_.y * magnitude(w.y) + terms_.z * magnitude(w.z)},
+                   volume_terms_filter);
+  }
+
+ private:
+  Vec3<double> a_, normal_, terms_;
+  bool in_range_;
+};
+
 /// Whether the probe certainly meets or certainly misses the triangle, in general position; else nothing.
 /// Beside filter_hits it asks sign by sign and stops at the first two that decide: both ends on one side of the plane,
 /// or two edges passed on different sides. An edge ab is passed on the side of det(a − p, b − a, d), which is

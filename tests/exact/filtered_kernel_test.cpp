@@ -11,6 +11,8 @@
 #include "exact/families/family.h"
 #include "exact/filtered/filtered.h"
 #include "exact/filtered/stages/exact_stages.h"
+#include "exact/filtered/term_filter.h"
+#include "exact/kernels/rational_kernel.h"
 #include "exact/methods.h"
 
 namespace tribunal {
@@ -233,6 +235,37 @@ TEST_P(ForeignEnvironment, ChangesNoAnswer) {
 
 INSTANTIATE_TEST_SUITE_P(Registers, ForeignEnvironment,
                          testing::Values(0x0000U, 0x2000U, 0x4000U, 0x6000U, 0x8000U, 0x0040U, 0x8040U, 0xe040U));
+
+/// Points next to the plane of a triangle of any size, near and far: what the plane's filter says is exact.
+TEST(PlaneFilter, NeverSaysTheWrongSide) {
+  const RationalKernel exact;
+  std::size_t certain = 0, undecided = 0;
+  for (std::uint64_t k = 0; k < 20000; ++k) {
+    Draw draw(978, 1, k);
+    const double scale = std::ldexp(1.0, static_cast<int>(draw.between(-170, 170)) * (k % 4 == 0 ? 5 : 0));
+    const double far = std::ldexp(1.0, static_cast<int>(draw.between(0, 12)));
+    const auto unit = [&] { return std::ldexp(static_cast<double>(draw.between(-(1 << 30), 1 << 30)), -30); };
+    const auto point = [&] { return Point3(unit(), unit(), unit()); };
+    const Triangle t{scale * point(), scale * point(), scale * point()};
+    const double u = far * unit(), v = far * unit();
+    const Point3 on = t.a + u * (t.b - t.a) + v * (t.c - t.a);  // up to rounding
+    const PlaneFilter plane(t);
+    for (const Point3& x : {on, on + scale * 0x1p-50 * point(), on + scale * point()}) {
+      const auto side = plane.side(x);
+      side ? ++certain : ++undecided;
+      ASSERT_EQ(side.value_or(exact.orient3d(t.a, t.b, t.c, x)), exact.orient3d(t.a, t.b, t.c, x)) << k;
+      const Direction d{x - t.a};
+      const auto towards = plane.side(d);
+      ASSERT_EQ(towards.value_or(exact.orient3d(t.a, t.b, t.c, d)), exact.orient3d(t.a, t.b, t.c, d)) << k;
+    }
+  }
+  EXPECT_GT(certain, 10000u);
+  EXPECT_GT(undecided, 5000u);
+  const double infinity = std::numeric_limits<double>::infinity();
+  const PlaneFilter floor(Triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+  EXPECT_EQ(floor.side(Point3(0, 0, infinity)), std::nullopt);
+  EXPECT_EQ(floor.side(Point3(std::nan(""), 0, 1)), std::nullopt);
+}
 
 }  // namespace
 }  // namespace tribunal

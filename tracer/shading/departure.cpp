@@ -13,16 +13,20 @@ constexpr int doublings = 64;  ///< from one unit roundoff (2⁻⁵³) to beyond
 
 double greatest(const Point3& p) { return std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}); }
 
-/// The exact side of the face's plane on which a point lies, or to which a direction leads; 0 if that is not finite.
-int side_of(const Triangle& t, const Point3& x) {
-  return is_finite(x) ? value(FilteredKernel().orient3d(t.a, t.b, t.c, x)) : 0;
-}
-
-int side_of(const Triangle& t, const Direction& d) {
-  return is_finite(d.v) ? value(FilteredKernel().orient3d(t.a, t.b, t.c, d)) : 0;
-}
+bool is_finite_target(const Point3& p) { return is_finite(p); }
+bool is_finite_target(const Direction& d) { return is_finite(d.v); }
 
 }  // namespace
+
+/// The exact side of the face's plane on which a point lies, or to which a direction leads; 0 if that is not finite.
+template <class X>
+int Departures::side_of(std::uint32_t face, const X& x) {
+  if (face != face_) plane_.emplace(world_.triangles[face]), face_ = face;
+  if (const std::optional<Sign> side = plane_->side(x)) return value(*side);
+  if (!is_finite_target(x)) return 0;
+  const Triangle t = world_.triangles[face];
+  return value(FilteredKernel().orient3d(t.a, t.b, t.c, x));
+}
 
 Point3 Departures::customary(const Landing& at, double side) const {
   return in_format(at.point + side * world_.step * at.normal, world_.format);
@@ -35,7 +39,7 @@ double Departures::smallest_step(const Landing& at) const {
 
 bool Departures::is_near_start(const Landing& at, const Point3& candidate, int side) {
   ++tally_.start_candidates;
-  if (side_of(world_.triangles[at.face], candidate) != side) return false;
+  if (side_of(at.face, candidate) != side) return false;
   return candidate == at.origin ||
          visibility_.faces_met({at.origin, candidate}, Visibility::nobody, at.face) == Visibility::Met::none;
 }
@@ -43,7 +47,7 @@ bool Departures::is_near_start(const Landing& at, const Point3& candidate, int s
 Start Departures::near_side(const Landing& at) {
   ++tally_.starts;
   if (!proves_) return {customary(at, 1)};
-  const int side = side_of(world_.triangles[at.face], at.origin);
+  const int side = side_of(at.face, at.origin);
   const Point3 back = at.origin - at.point;
   const double length = greatest(back);
   double step = smallest_step(at);
@@ -56,19 +60,19 @@ Start Departures::near_side(const Landing& at) {
   return {customary(at, 1)};
 }
 
-std::uint32_t Departures::left_behind(const Landing& at, const Start& start, const Point3& target) const {
-  const bool leaves = start.side != 0 && side_of(world_.triangles[at.face], target) == start.side;
+std::uint32_t Departures::left_behind(const Landing& at, const Start& start, const Point3& target) {
+  const bool leaves = start.side != 0 && side_of(at.face, target) == start.side;
   return leaves ? at.face : Visibility::nobody;
 }
 
-std::uint32_t Departures::left_behind(const Landing& at, const Start& start, const Direction& target) const {
-  const bool leaves = start.side != 0 && side_of(world_.triangles[at.face], target) == start.side;
+std::uint32_t Departures::left_behind(const Landing& at, const Start& start, const Direction& target) {
+  const bool leaves = start.side != 0 && side_of(at.face, target) == start.side;
   return leaves ? at.face : Visibility::nobody;
 }
 
 bool Departures::is_far_start(const Landing& at, const Point3& near, const Point3& candidate, int side) {
   ++tally_.start_candidates;
-  if (side_of(world_.triangles[at.face], candidate) != -side) return false;
+  if (side_of(at.face, candidate) != -side) return false;
   return visibility_.faces_met({near, candidate}, at.face) == Visibility::Met::only_the_one;
 }
 
@@ -76,7 +80,7 @@ Point3 Departures::far_side(const Landing& at, const Point3& near) {
   ++tally_.starts;
   if (!proves_) return customary(at, -1);
   const Triangle& t = world_.triangles[at.face];
-  const int side = side_of(t, near);
+  const int side = side_of(at.face, near);
   const Point3 along = normalised((t.a - at.point) + (t.b - at.point) + (t.c - at.point));
   const Point3 across = glm::cross(at.normal, along);
   const Point3 shifts[] = {Point3(0), along, -along, across, -across};

@@ -32,6 +32,7 @@
 // the greatest coordinate.
 #pragma once
 
+#include "exact/filtered/term_filter.h"
 #include "tracer/shading/visibility.h"
 
 namespace tribunal {
@@ -64,19 +65,23 @@ class Departures {
   /// The face itself, if a probe from a proved start to a point, or in a direction, stays strictly on the start's side
   /// of its plane, and so cannot meet it; else nobody. Without it each shadow ray would put the question that is
   /// hardest for a filter: whether a point one rounding off a plane lies on it.
-  std::uint32_t left_behind(const Landing& at, const Start& start, const Point3& target) const;
-  std::uint32_t left_behind(const Landing& at, const Start& start, const Direction& target) const;
+  std::uint32_t left_behind(const Landing& at, const Start& start, const Point3& target);
+  std::uint32_t left_behind(const Landing& at, const Start& start, const Direction& target);
 
  private:
   Point3 customary(const Landing& at, double side) const;
   bool is_near_start(const Landing& at, const Point3& candidate, int side);
   bool is_far_start(const Landing& at, const Point3& near, const Point3& candidate, int side);
   double smallest_step(const Landing& at) const;
+  template <class X>
+  int side_of(std::uint32_t face, const X& x);
 
   const World& world_;
   bool proves_;
   Visibility& visibility_;
   RayTally& tally_;
+  std::uint32_t face_ = Visibility::nobody;  ///< the last one asked about, and its plane
+  std::optional<PlaneFilter> plane_;
 };
 
 }  // namespace tribunal
