@@ -1,4 +1,6 @@
 // tribunal render: an image, and with --against the pixels that differ, as an image and as cases.
+#include <oneapi/tbb/global_control.h>
+
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -251,6 +253,7 @@ void require_writable(const Options& o) {
 }
 
 int run(const Options& o) {
+  const tbb::global_control builders(tbb::global_control::max_allowed_parallelism, o.threads);
   std::vector<Method> methods{method_named(o.method)};
   if (!o.against.empty()) methods.push_back(method_named(o.against));
   require_writable(o);
@@ -328,7 +331,9 @@ Action declare_render(CLI::App& app) {
   app.add_option("--accel", o->accel, "none, boxes (one a solid) or bvh")
       ->check(CLI::IsMember({"none", "boxes", "bvh"}))
       ->capture_default_str();
-  app.add_option("--threads", o->threads, "worker threads")->check(CLI::Range(1u, 1024u))->capture_default_str();
+  app.add_option("--threads", o->threads, "worker threads, of the tree's building too")
+      ->check(CLI::Range(1u, 1024u))
+      ->capture_default_str();
   app.add_option("--export-pov", o->pov, "the scene for POV-Ray, and beside it the solid each pixel sees (.ids.png)");
   app.add_flag("--heat", o->heat, "also what each pixel cost: NAME.tests.png and NAME.stages.png");
   app.add_flag("--triangulate", o->triangulate,
