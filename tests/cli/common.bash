@@ -16,3 +16,10 @@ says() { grep -qF -- "$2" "$scratch/$1" || { echo "expected '$2' in $1:" >&2; ca
 
 # lacks FILE TEXT: the file of $scratch does not hold the text.
 lacks() { ! grep -qF -- "$2" "$scratch/$1" || { echo "unexpected '$2' in $1:" >&2; cat "$scratch/$1" >&2; exit 1; }; }
+
+# plugin NAME FLAG… SOURCE: NAME.so
+plugin() {
+  local name=$1
+  shift
+  ${CC:-cc} -std=c99 -pedantic -Wall -Wextra -Werror -O2 -ffp-contract=off -shared -fPIC -I "$SOURCE_DIR/exact/plugin" -o "$name.so" "$@" -lm
+}

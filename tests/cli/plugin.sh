@@ -4,12 +4,6 @@
 source "$(dirname "$0")/common.bash"
 cd "$scratch"
 
-# plugin NAME FLAG… SOURCE: NAME.so
-plugin() {
-  local name=$1
-  shift
-  ${CC:-cc} -std=c99 -pedantic -Wall -Wextra -Werror -O2 -ffp-contract=off -shared -fPIC -I "$SOURCE_DIR/exact/plugin" -o "$name.so" "$@" -lm
-}
 example=$SOURCE_DIR/docs/examples/moeller_trumbore.c
 plugin mine "$example"
 plugin planted -DPLANTED_MISTAKE "$example"

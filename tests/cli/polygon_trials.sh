@@ -84,11 +84,6 @@ sed 's/"expect":0/"expect":1/' mine.jsonl >false.jsonl
 expect 3 certify --polygons --method sf-float --cases false.jsonl --out x && says err 'in the hole: the case expects a hit'
 
 # A plugin with a polygon test: like any other, and its mistake is its own.
-plugin() {
-  local name=$1
-  shift
-  ${CC:-cc} -std=c99 -pedantic -Wall -Wextra -Werror -O2 -ffp-contract=off -shared -fPIC -I "$SOURCE_DIR/exact/plugin" -o "$name.so" "$@" -lm
-}
 example=$SOURCE_DIR/docs/examples/crossing_count.c
 plugin mine "$example"
 plugin planted -DPLANTED_MISTAKE "$example"

@@ -60,15 +60,14 @@ Start Departures::near_side(const Landing& at) {
   return {customary(at, 1)};
 }
 
-std::uint32_t Departures::left_behind(const Landing& at, const Start& start, const Point3& target) {
+template <class X>
+std::uint32_t Departures::left_behind(const Landing& at, const Start& start, const X& target) {
   const bool leaves = start.side != 0 && side_of(at.face, target) == start.side;
   return leaves ? at.face : Visibility::nobody;
 }
 
-std::uint32_t Departures::left_behind(const Landing& at, const Start& start, const Direction& target) {
-  const bool leaves = start.side != 0 && side_of(at.face, target) == start.side;
-  return leaves ? at.face : Visibility::nobody;
-}
+template std::uint32_t Departures::left_behind(const Landing&, const Start&, const Point3&);
+template std::uint32_t Departures::left_behind(const Landing&, const Start&, const Direction&);
 
 bool Departures::is_far_start(const Landing& at, const Point3& near, const Point3& candidate, int side) {
   ++tally_.start_candidates;

@@ -65,8 +65,8 @@ class Departures {
   /// The face itself, if a probe from a proved start to a point, or in a direction, stays strictly on the start's side
   /// of its plane, and so cannot meet it; else nobody. Without it each shadow ray would put the question that is
   /// hardest for a filter: whether a point one rounding off a plane lies on it.
-  std::uint32_t left_behind(const Landing& at, const Start& start, const Point3& target);
-  std::uint32_t left_behind(const Landing& at, const Start& start, const Direction& target);
+  template <class X>
+  std::uint32_t left_behind(const Landing& at, const Start& start, const X& target);
 
  private:
   Point3 customary(const Landing& at, double side) const;
