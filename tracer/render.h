@@ -11,15 +11,9 @@ struct RenderOptions {
   unsigned threads = 1;
 };
 
-/// What a pixel cost.
-struct PixelCost {
-  std::uint64_t tests = 0;      ///< of faces, those for proved starts included
-  Stage deepest = Stage::none;  ///< of the stages that answered
-};
-
 struct Rendering {
   Image image;
-  std::vector<PixelCost> costs;          ///< in row order
+  std::vector<Cost> costs;               ///< in row order
   std::vector<std::uint64_t> decisions;  ///< a hash of each pixel's decisions, in row order
   RayTally tally;
   double seconds = 0;

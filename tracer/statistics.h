@@ -1,6 +1,7 @@
 // What a render counts.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -19,6 +20,18 @@ constexpr std::string_view name_of(RayKind k) {
   constexpr std::string_view names[] = {"primary", "shadow", "reflection", "refraction"};
   return names[static_cast<int>(k)];
 }
+
+/// What a question or a pixel cost.
+struct Cost {
+  std::uint64_t tests = 0;      ///< of faces, those for proved starts included
+  Stage deepest = Stage::none;  ///< of the stages that answered
+
+  Cost& operator+=(const Cost& c) {
+    tests += c.tests;
+    deepest = std::max(deepest, c.deepest);
+    return *this;
+  }
+};
 
 /// Counts of one thread; the caller owns them and adds them up. Indexed by RayKind where there are four.
 struct RayTally {
@@ -59,5 +72,14 @@ struct RayTally {
 
   std::uint64_t all_rays() const { return rays[0] + rays[1] + rays[2] + rays[3]; }
 };
+
+/// What questions cost between two moments of a tally.
+inline Cost cost_between(const RayTally& before, const RayTally& after) {
+  Cost cost{after.tests() + after.start_tests - before.tests() - before.start_tests, Stage::none};
+  for (const Stage s : {Stage::filter, Stage::expansion, Stage::exact}) {
+    if (after.by_stage[static_cast<std::size_t>(s)] > before.by_stage[static_cast<std::size_t>(s)]) cost.deepest = s;
+  }
+  return cost;
+}
 
 }  // namespace tribunal

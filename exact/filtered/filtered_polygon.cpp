@@ -84,10 +84,22 @@ void FilteredPolygon::flatten(const Vec3<double>& base) {
   flat_.insert(flat_.end(), v.begin(), v.end());
   for (std::size_t begin = 0; begin + 1 < count; begin += 63) {
     const std::size_t size = std::min<std::size_t>(64, count - begin);
-    Run& run = begin == 0 ? first_run_ : other_runs_.emplace_back();
+    RingRun& run = begin == 0 ? first_run_ : other_runs_.emplace_back();
     run = {&flat_[begin], &flat_[u.size() + begin], (size + 1) / 2 * 2, 0};
     for (std::size_t i = 0; i + 1 < size; ++i) run.edges |= std::uint64_t{leads_on[begin + i]} << i;
   }
+}
+
+PolygonFigures FilteredPolygon::figures() const {
+  PolygonFigures f{{first(base_.x), first(base_.y), first(base_.z)},
+                   {first(normal_.x), first(normal_.y), first(normal_.z)},
+                   extent_,
+                   u_,
+                   v_,
+                   {}};
+  if (first_run_.size > 0) f.runs.push_back(first_run_);
+  f.runs.insert(f.runs.end(), other_runs_.begin(), other_runs_.end());
+  return f;
 }
 
 /// A certain hit is in general position: inside, between the ends.

@@ -12,6 +12,23 @@
 
 namespace tribunal {
 
+/// Up to 64 vertices of a polygon's rings in a row, projected and seen from the base; bit i of `edges` is set if a ring
+/// edge leads from vertex i to the next. Views the polygon's figures.
+struct RingRun {
+  const double *u = nullptr, *v = nullptr;
+  std::size_t size = 0;  ///< even
+  std::uint64_t edges = 0;
+};
+
+/// What the filter computes with: a vertex, the plane's normal, scaled, or zero where the filter abstains; the axes of
+/// the projection, and the rings in it. `extent` is their largest coordinate.
+struct PolygonFigures {
+  Vec3<double> base, normal;
+  double extent;
+  int u, v;
+  std::vector<RingRun> runs;
+};
+
 /// A polygon prepared for many probes. Views the polygon, which must outlive it and be finite.
 ///
 /// Law: the answer is that of the covering test on exact numbers, always, whatever the rounding mode of the thread.
@@ -38,14 +55,10 @@ class FilteredPolygon {
     return filtered<std::optional<bool>>(probe, [] { return std::nullopt; });
   }
 
- private:
-  /// Up to 64 vertices in a row; bit i of `edges` is set if a ring edge leads from vertex i to the next.
-  struct Run {
-    const double *u = nullptr, *v = nullptr;
-    std::size_t size = 0;  ///< even
-    std::uint64_t edges = 0;
-  };
+  /// For the same filter on vector lanes (batch/polygon_lanes.h). Views this polygon, which may be moved.
+  PolygonFigures figures() const;
 
+ private:
   struct Parity {
     bool certain, odd;
 
@@ -73,14 +86,14 @@ class FilteredPolygon {
   template <class P>
   std::optional<bool> certain_parity(Twin<double> x, Twin<double> y, Twin<double> z, Twin<double> heights,
                                      Twin<double> reach) const;
-  Parity run_parity(const Run& run, const PlaneCrossing<double>& x, double range) const;
+  Parity run_parity(const RingRun& run, const PlaneCrossing<double>& x, double range) const;
 
   Vec3<Twin<double>> base_ = nowhere, normal_ = nowhere;  ///< a vertex, and the plane's normal, scaled, or zero
   double extent_ = 0;                                     ///< the largest coordinate of the projected vertices
   int u_ = 0, v_ = 1;                                     ///< the axes on which the polygon is projected
-  Run first_run_{};              ///< the rings, closed, one after the other, as seen from the base
-  std::vector<Run> other_runs_;  ///< what is beyond 64 vertices
-  std::vector<double> flat_;     ///< what the runs point to
+  RingRun first_run_{};              ///< the rings, closed, one after the other, as seen from the base
+  std::vector<RingRun> other_runs_;  ///< what is beyond 64 vertices
+  std::vector<double> flat_;         ///< what the runs point to
   Covering covering_;
 };
 
@@ -107,7 +120,7 @@ template <class P>
   const Twin<double> along[3] = {x, y, z};
   const PlaneCrossing<double> at = plane_crossing<P>(heights, Vec2<Twin<double>>{along[u_], along[v_]});
   Parity parity{true, false};
-  const Run* run = &first_run_;
+  const RingRun* run = &first_run_;
   for (std::size_t others = 0;; run = &other_runs_[others++]) {
     parity += run_parity(*run, at, range);
     if (others == other_runs_.size()) break;
@@ -116,7 +129,7 @@ template <class P>
   return parity.odd;
 }
 
-[[gnu::always_inline]] inline FilteredPolygon::Parity FilteredPolygon::run_parity(const Run& run,
+[[gnu::always_inline]] inline FilteredPolygon::Parity FilteredPolygon::run_parity(const RingRun& run,
                                                                                   const PlaneCrossing<double>& x,
                                                                                   double range) const {
   const Twin<double> den = twice(x.den), point = twice(x.point.v);

@@ -28,7 +28,7 @@ Solid square(double z, double half, const Colour& glow) {
 Colour traced(const Scene& scene, const Ray& ray, int depth, RayTally* counts = nullptr) {
   const World world = make_world(scene, Format::binary64, Accel::bvh);
   RayTally tally;
-  const Colour c = WhittedTracer(world, method("sf-epeck"), tally).trace(ray, depth);
+  const Colour c = WhittedTracer(world, method("sf-epeck"), tally).trace(ray, depth).colour;
   if (counts) *counts = tally;
   return c;
 }

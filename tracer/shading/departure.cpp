@@ -37,61 +37,135 @@ double Departures::smallest_step(const Landing& at) const {
   return roundoff * std::max(greatest(at.origin), greatest(at.point));
 }
 
+/// Back from the hit by the k-th step; nothing where that is too far.
+std::optional<Point3> Departures::near_candidate(const Landing& at, int k) const {
+  const Point3 back = at.origin - at.point;
+  const double length = greatest(back), step = std::ldexp(smallest_step(at), k);
+  if (k > doublings || !(step < length)) return std::nullopt;
+  return in_format(at.point + (step / length) * back, world_.format);
+}
+
 bool Departures::is_near_start(const Landing& at, const Point3& candidate, int side) {
   ++tally_.start_candidates;
   if (side_of(at.face, candidate) != side) return false;
-  return candidate == at.origin ||
-         visibility_.faces_met({at.origin, candidate}, Visibility::nobody, at.face) == Visibility::Met::none;
+  return candidate == at.origin || !visibility_.meets_any({at.origin, candidate}, at.face);
+}
+
+/// From the k-th candidate on, one by one; the origin is the last.
+Start Departures::search_near(const Landing& at, int side, int k) {
+  for (bool last = side == 0; !last; ++k) {
+    const std::optional<Point3> candidate = near_candidate(at, k);
+    const Point3 point = candidate.value_or(at.origin);
+    if (is_near_start(at, point, side)) return {point, side};
+    last = !candidate;
+  }
+  ++tally_.starts_unproved;
+  return {customary(at, 1)};
+}
+
+/// All first candidates are asked together; who needs another goes on alone.
+void Departures::near_sides(std::span<NearQuestion> questions) {
+  tally_.starts += questions.size();
+  ways_.clear();
+  for (NearQuestion& q : questions) {
+    const Landing& at = q.at;
+    if (!proves_) q.start = {customary(at, 1)};
+    if (!proves_) continue;
+    q.start = {at.origin, side_of(at.face, at.origin)};
+    const std::optional<Point3> candidate = near_candidate(at, 0);
+    if (q.start.side == 0 || !candidate || *candidate == at.origin || side_of(at.face, *candidate) != q.start.side)
+      continue;
+    q.start.point = *candidate;
+    ways_.push_back({{at.origin, *candidate}, at.face});
+  }
+  visibility_.met(ways_);
+  const SegmentQuestion* way = ways_.data();
+  for (NearQuestion& q : questions) {
+    if (!proves_) continue;
+    const bool asked = q.start.point != q.at.origin;
+    tally_.start_candidates += asked;
+    const RayTally before = tally_;
+    if (!asked) {
+      q.start = search_near(q.at, q.start.side, 0);
+    } else if (way->met) {
+      q.start = search_near(q.at, q.start.side, 1);
+    }
+    q.cost += cost_between(before, tally_);
+    if (asked) q.cost += (way++)->cost;
+  }
 }
 
 Start Departures::near_side(const Landing& at) {
-  ++tally_.starts;
-  if (!proves_) return {customary(at, 1)};
-  const int side = side_of(at.face, at.origin);
-  const Point3 back = at.origin - at.point;
-  const double length = greatest(back);
-  double step = smallest_step(at);
-  for (int k = 0; side != 0 && k <= doublings && step < length; ++k, step *= 2) {
-    const Point3 candidate = in_format(at.point + (step / length) * back, world_.format);
-    if (is_near_start(at, candidate, side)) return {candidate, side};
-  }
-  if (side != 0 && is_near_start(at, at.origin, side)) return {at.origin, side};
-  ++tally_.starts_unproved;
-  return {customary(at, 1)};
+  NearQuestion q{at};
+  near_sides({&q, 1});
+  return q.start;
 }
 
 template <class X>
 std::uint32_t Departures::left_behind(const Landing& at, const Start& start, const X& target) {
   const bool leaves = start.side != 0 && side_of(at.face, target) == start.side;
-  return leaves ? at.face : Visibility::nobody;
+  return leaves ? at.face : no_face;
 }
 
 template std::uint32_t Departures::left_behind(const Landing&, const Start&, const Point3&);
 template std::uint32_t Departures::left_behind(const Landing&, const Start&, const Direction&);
 
+/// Behind the hit by the step of `shifts` k, straight or shifted along the face.
+Point3 Departures::far_candidate(const Landing& at, int k) const {
+  const Triangle& t = world_.triangles[at.face];
+  const double step = std::ldexp(smallest_step(at), k / 5);
+  Point3 shift(0);
+  if (k % 5 != 0) {
+    const Point3 along = normalised((t.a - at.point) + (t.b - at.point) + (t.c - at.point));
+    const Point3 across = glm::cross(at.normal, along);
+    const Point3 shifts[] = {along, -along, across, -across};
+    shift = shifts[k % 5 - 1];
+  }
+  return in_format(at.point + step * (shift - at.normal), world_.format);
+}
+
 bool Departures::is_far_start(const Landing& at, const Point3& near, const Point3& candidate, int side) {
   ++tally_.start_candidates;
   if (side_of(at.face, candidate) != -side) return false;
-  return visibility_.faces_met({near, candidate}, at.face) == Visibility::Met::only_the_one;
+  const Segment way{near, candidate};
+  return !visibility_.meets_any(way, at.face) && visibility_.meets(way, at.face);
+}
+
+/// From the k-th candidate on, one by one.
+Point3 Departures::search_far(const FarQuestion& q, int side, int k) {
+  for (; side != 0 && k < 5 * (doublings + 1); ++k) {
+    const Point3 candidate = far_candidate(q.at, k);
+    if (is_far_start(q.at, q.near, candidate, side)) return candidate;
+  }
+  ++tally_.starts_unproved;
+  return q.near;
+}
+
+void Departures::far_sides(std::span<FarQuestion> questions) {
+  tally_.starts += questions.size();
+  ways_.clear();
+  for (FarQuestion& q : questions) {
+    q.start = proves_ ? far_candidate(q.at, 0) : customary(q.at, -1);
+    if (proves_) ways_.push_back({{q.near, q.start}, q.at.face});
+  }
+  visibility_.met(ways_);
+  for (std::size_t i = 0; i < ways_.size(); ++i) {
+    FarQuestion& q = questions[i];
+    const int side = side_of(q.at.face, q.near);
+    const RayTally before = tally_;
+    ++tally_.start_candidates;
+    const bool proved = side != 0 && !ways_[i].met && side_of(q.at.face, q.start) == -side &&
+                        visibility_.meets(ways_[i].way, q.at.face);
+    if (!proved) q.start = search_far(q, side, 1);
+    q.cost += cost_between(before, tally_);
+    q.cost += ways_[i].cost;
+  }
 }
 
 Point3 Departures::far_side(const Landing& at, const Point3& near) {
-  ++tally_.starts;
-  if (!proves_) return customary(at, -1);
-  const Triangle& t = world_.triangles[at.face];
-  const int side = side_of(at.face, near);
-  const Point3 along = normalised((t.a - at.point) + (t.b - at.point) + (t.c - at.point));
-  const Point3 across = glm::cross(at.normal, along);
-  const Point3 shifts[] = {Point3(0), along, -along, across, -across};
-  double step = smallest_step(at);
-  for (int k = 0; side != 0 && k <= doublings; ++k, step *= 2) {
-    for (const Point3& shift : shifts) {
-      const Point3 candidate = in_format(at.point + step * (shift - at.normal), world_.format);
-      if (is_far_start(at, near, candidate, side)) return candidate;
-    }
-  }
-  ++tally_.starts_unproved;
-  return near;
+  FarQuestion q{at, near};
+  far_sides({&q, 1});
+  return q.start;
 }
 
 }  // namespace tribunal

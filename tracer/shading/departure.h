@@ -50,26 +50,49 @@ struct Start {
   int side = 0;  ///< where it is proved: the sign of orient3d(a, b, c, point), not zero; else 0
 };
 
+/// Where a ray may depart on the side from which the face was hit, and what it cost to know.
+struct NearQuestion {
+  Landing at;
+  Start start{};
+  Cost cost{};
+};
+
+/// Where it may depart beyond the face. `near` is the answer to the other question.
+struct FarQuestion {
+  Landing at;
+  Point3 near;
+  Point3 start{};
+  Cost cost{};
+};
+
 /// Finds starts for one method in one world. One object a thread.
 class Departures {
  public:
   Departures(const World& world, const Method& method, Visibility& visibility, RayTally& tally)
       : world_(world), proves_(method.exact), visibility_(visibility), tally_(tally) {}
 
-  /// On the side of the origin.
-  Start near_side(const Landing& at);
+  /// On the side of the origin. Adds what that cost.
+  void near_sides(std::span<NearQuestion> questions);
 
-  /// Beyond the face. `near` is what near_side gave.
+  /// Beyond the face.
+  void far_sides(std::span<FarQuestion> questions);
+
+  /// The same of one.
+  Start near_side(const Landing& at);
   Point3 far_side(const Landing& at, const Point3& near);
 
   /// The face itself, if a probe from a proved start to a point, or in a direction, stays strictly on the start's side
-  /// of its plane, and so cannot meet it; else nobody. Without it each shadow ray would put the question that is
+  /// of its plane, and so cannot meet it; else no_face. Without it each shadow ray would put the question that is
   /// hardest for a filter: whether a point one rounding off a plane lies on it.
   template <class X>
   std::uint32_t left_behind(const Landing& at, const Start& start, const X& target);
 
  private:
   Point3 customary(const Landing& at, double side) const;
+  std::optional<Point3> near_candidate(const Landing& at, int k) const;
+  Point3 far_candidate(const Landing& at, int k) const;
+  Start search_near(const Landing& at, int side, int k);
+  Point3 search_far(const FarQuestion& q, int side, int k);
   bool is_near_start(const Landing& at, const Point3& candidate, int side);
   bool is_far_start(const Landing& at, const Point3& near, const Point3& candidate, int side);
   double smallest_step(const Landing& at) const;
@@ -80,7 +103,8 @@ class Departures {
   bool proves_;
   Visibility& visibility_;
   RayTally& tally_;
-  std::uint32_t face_ = Visibility::nobody;  ///< the last one asked about, and its plane
+  std::vector<SegmentQuestion> ways_;  ///< to first candidates
+  std::uint32_t face_ = no_face;       ///< the last one asked about, and its plane
   std::optional<PlaneFilter> plane_;
 };
 

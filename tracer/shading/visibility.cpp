@@ -13,11 +13,30 @@ namespace {
 /// The method whose filter the tree's lanes compute: exact/filtered/filtered.h.
 constexpr std::string_view sifted_method = "sf-filtered";
 
+void put(ProbePacket& packet, std::size_t lane, const RayQuestion& q) { packet.set(lane, q.ray.o, q.ray.d.v, q.apart); }
+
+void put(ProbePacket& packet, std::size_t lane, const SegmentQuestion& q) {
+  packet.set(lane, q.way.p, q.way.q, q.apart);
+}
+
+bool is_finite_probe(const RayQuestion& q) { return is_finite(q.ray); }
+bool is_finite_probe(const SegmentQuestion& q) { return is_finite(q.way); }
+
+Cost cost_of(const PacketAnswer& a, std::size_t lane) {
+  const auto tests = static_cast<std::uint64_t>(a.tests[lane]);
+  return {tests, tests > 0 ? Stage::filter : Stage::none};
+}
+
 }  // namespace
 
 Visibility::Visibility(const World& world, const Method& method, RayTally& tally)
     : world_(world), method_(method), sifts_(method.name == sifted_method), tally_(tally) {
-  for (const PolygonData& polygon : world.polygons) prepared_.push_back(method.polygon(polygon));
+  for (const PolygonData& polygon : world.polygons) {
+    prepared_.push_back(method.polygon(polygon));
+    if (!sifts_) continue;
+    filtered_.emplace_back(polygon);
+    figures_.push_back(filtered_.back().figures());
+  }
 }
 
 template <class P>
@@ -56,6 +75,82 @@ Sign Visibility::order(const Ray& ray, std::uint32_t id, std::uint32_t other) co
   const Triangle s = world_.triangles[id], t = world_.triangles[other];
   return method_.compare_hits ? method_.compare_hits(ray, s, t)
                               : sign_of(shading_parameter(ray, s) - shading_parameter(ray, t));
+}
+
+/// Answers all questions: eight at a time if the method's filter runs on lanes, those of which it is not certain alone.
+/// together(packet, questions) answers those of the lanes that it returns, alone(question) one.
+template <class Question, class Together, class Alone>
+void Visibility::answer(std::span<Question> questions, const Together& together, const Alone& alone) {
+  const auto ask_alone = [&](Question& q) {
+    const RayTally before = tally_;
+    alone(q);
+    q.cost += cost_between(before, tally_);
+  };
+  if (!sifts_ || world_.triangles.tree() == nullptr || questions.size() < 2) {
+    for (Question& q : questions) ask_alone(q);
+    return;
+  }
+  for (std::size_t from = 0; from < questions.size(); from += packet_size) {
+    const std::span<Question> some = questions.subspan(from, std::min(packet_size, questions.size() - from));
+    ProbePacket packet;
+    for (std::size_t lane = 0; lane < some.size(); ++lane) {
+      if (is_finite_probe(some[lane])) put(packet, lane, some[lane]);
+    }
+    const unsigned known = together(packet, some);
+    for (std::size_t lane = 0; lane < some.size(); ++lane) {
+      if ((known >> lane & 1) == 0) ask_alone(some[lane]);
+    }
+  }
+}
+
+/// What the filter decided for all lanes.
+void Visibility::count_packet(const PacketAnswer& a) {
+  tally_.box_tests += a.boxes;
+  tally_.triangle_tests += a.triangle_tests;
+  tally_.triangle_hits += a.triangle_hits;
+  tally_.polygon_tests += a.polygon_tests;
+  tally_.polygon_hits += a.polygon_hits;
+  tally_.by_stage[static_cast<std::size_t>(Stage::filter)] += a.triangle_tests + a.polygon_tests;
+}
+
+PacketFaces Visibility::packet_faces() const { return {*world_.triangles.tree(), world_.polygon_of, figures_}; }
+
+void Visibility::first_hits(std::span<RayQuestion> questions) {
+  const auto together = [&](const ProbePacket& packet, std::span<RayQuestion> some) {
+    PacketAnswer a;
+    packet_target().first_hits(packet_faces(), packet, a);
+    count_packet(a);
+    for (std::size_t lane = 0; lane < some.size(); ++lane) {
+      some[lane].cost += cost_of(a, lane);
+      if ((a.known & a.hit) >> lane & 1) some[lane].face = static_cast<std::uint32_t>(a.id[lane]);
+    }
+    return a.known;
+  };
+  answer(questions, together, [&](RayQuestion& q) { q.face = first_hit(q.ray, q.apart); });
+}
+
+template <bool starts, class Alone>
+void Visibility::any_met(std::span<SegmentQuestion> questions, const Alone& alone) {
+  const auto together = [&](const ProbePacket& packet, std::span<SegmentQuestion> some) {
+    PacketAnswer a;
+    packet_target().any_hits(packet_faces(), packet, a);
+    if (starts) tally_.start_tests += a.triangle_tests + a.polygon_tests;
+    if (!starts) count_packet(a);
+    for (std::size_t lane = 0; lane < some.size(); ++lane) {
+      some[lane].cost += cost_of(a, lane);
+      some[lane].met = ((a.known & a.hit) >> lane & 1) != 0;
+    }
+    return a.known;
+  };
+  answer(questions, together, alone);
+}
+
+void Visibility::blocked(std::span<SegmentQuestion> questions) {
+  any_met<false>(questions, [&](SegmentQuestion& q) { q.met = is_blocked(q.way, q.apart); });
+}
+
+void Visibility::met(std::span<SegmentQuestion> questions) {
+  any_met<true>(questions, [&](SegmentQuestion& q) { q.met = meets_any(q.way, q.apart); });
 }
 
 std::optional<std::uint32_t> Visibility::first_hit(const Ray& ray, std::uint32_t apart) {
@@ -173,20 +268,21 @@ bool Visibility::is_blocked(const Segment& way, std::uint32_t apart) {
   return blocked;
 }
 
-Visibility::Met Visibility::faces_met(const Segment& way, std::uint32_t the_one, std::uint32_t apart) {
-  if (!is_finite(way)) return Met::more;
+bool Visibility::meets_any(const Segment& way, std::uint32_t apart) {
+  if (!is_finite(way)) return true;
   RayTally uncounted;
-  bool met_the_one = false, met_another = false;
-  const auto meet = [&](std::uint32_t id) {
-    (id == the_one ? met_the_one : met_another) = true;
-    return met_another;
-  };
+  bool met = false;
   std::uint64_t told = 0;
   const std::uint64_t missed = along(
-      way, uncounted, [&](std::uint32_t id) { return ++told, meet(id); },
-      [&](std::uint32_t id) { return ++told, id != apart && is_visible_hit(ask(way, id)) && meet(id); });
+      way, uncounted, [&](std::uint32_t id) { return ++told, met = id != apart; },
+      [&](std::uint32_t id) { return ++told, met = id != apart && is_visible_hit(ask(way, id)); });
   tally_.start_tests += told + missed;
-  return met_another ? Met::more : met_the_one ? Met::only_the_one : Met::none;
+  return met;
+}
+
+bool Visibility::meets(const Segment& way, std::uint32_t id) {
+  ++tally_.start_tests;
+  return is_finite(way) && is_visible_hit(ask(way, id));
 }
 
 bool Visibility::sees(const Probe& probe, std::uint32_t id) const {

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/kernel.h"
+#include "exact/filtered/filtered_polygon.h"
+#include "tracer/accel/wide/packet.h"
 #include "tracer/world.h"
 
 namespace tribunal {
@@ -25,6 +28,25 @@ inline bool is_visible_hit(const Answer& a) {
 /// through the start of the shadow ray does not block.
 inline bool is_blocking_hit(const Answer& a) { return is_visible_hit(a) && a.at != At::source && a.at != At::target; }
 
+/// Nobody's id.
+inline constexpr std::uint32_t no_face = ~std::uint32_t{0};
+
+/// Which face a ray meets first, and what it cost to know.
+struct RayQuestion {
+  Ray ray;
+  std::uint32_t apart = no_face;  ///< a face that the caller knows the ray not to meet: it counts as asked, but is not
+  std::optional<std::uint32_t> face{};
+  Cost cost{};
+};
+
+/// Whether a segment meets any face, and what it cost to know.
+struct SegmentQuestion {
+  Segment way;
+  std::uint32_t apart = no_face;  ///< a face that does not matter
+  bool met = false;
+  Cost cost{};
+};
+
 /// One method looking at a world. One object a thread; counts into the caller's tally. Prepares every polygon.
 ///
 /// Which faces are asked depends on the world's acceleration; the answers do not. In mode `bvh` sf-filtered is asked
@@ -34,25 +56,28 @@ class Visibility {
  public:
   Visibility(const World& world, const Method& method, RayTally& tally);
 
-  /// The first face on the ray: smallest t by the method's own order of hits (by t in double if it has none),
-  /// ties by lowest primitive id. A ray that overflowed hits nothing.
+  /// The first face on each ray: smallest t by the method's own order of hits (by t in double if it has none), ties by
+  /// lowest primitive id. A ray that overflowed hits nothing.
   ///
   /// The tree is pruned by a proved bound: a face that is exactly hit lies in its box, so t is at most the upper
   /// end of the ray's span in that box; boxes whose span begins later hold only later hits. Only an inexact method
   /// that reports hits outside a face's box can answer differently with and without a tree.
-  ///
-  /// `apart` is a face that the caller knows the probe not to meet, here and below: it counts as asked, but is not.
-  std::optional<std::uint32_t> first_hit(const Ray& ray, std::uint32_t apart = nobody);
+  void first_hits(std::span<RayQuestion> questions);
 
   /// Whether something blocks the light on its way.
-  bool is_blocked(const Segment& way, std::uint32_t apart = nobody);
+  void blocked(std::span<SegmentQuestion> questions);
 
-  /// What a closed segment meets, ends included: nothing, the given face alone, or anything else. Counted as
-  /// start_tests. A segment that is not finite is `more`.
-  enum class Met : std::uint8_t { none, only_the_one, more };
-  Met faces_met(const Segment& way, std::uint32_t the_one, std::uint32_t apart = nobody);
+  /// Whether a closed segment, ends included, meets any face. Counted as start_tests. A segment that is not finite
+  /// meets one.
+  void met(std::span<SegmentQuestion> questions);
 
-  static constexpr std::uint32_t nobody = ~std::uint32_t{0};
+  /// The same of one.
+  std::optional<std::uint32_t> first_hit(const Ray& ray, std::uint32_t apart = no_face);
+  bool is_blocked(const Segment& way, std::uint32_t apart = no_face);
+  bool meets_any(const Segment& way, std::uint32_t apart = no_face);
+
+  /// Whether a closed segment meets this face. Counted as a start_test.
+  bool meets(const Segment& way, std::uint32_t id);
 
   /// Whether the method counts this face as a hit of this probe, as the tracer reads it.
   bool sees(const Probe& probe, std::uint32_t id) const;
@@ -61,6 +86,13 @@ class Visibility {
 
  private:
   struct Judge;
+
+  template <class Question, class Together, class Alone>
+  void answer(std::span<Question> questions, const Together& together, const Alone& alone);
+  template <bool starts, class Alone>
+  void any_met(std::span<SegmentQuestion> questions, const Alone& alone);
+  void count_packet(const PacketAnswer& answer);
+  PacketFaces packet_faces() const;
 
   std::optional<std::uint32_t> first_in_tree(const Ray& ray, std::uint32_t apart);
   std::optional<std::uint32_t> first_in_list(const Ray& ray, std::uint32_t apart);
@@ -85,6 +117,8 @@ class Visibility {
   const bool sifts_;  ///< the method's filter runs on the tree's lanes
   RayTally& tally_;
   std::vector<PreparedPolygon> prepared_;
+  std::vector<FilteredPolygon> filtered_;  ///< if it does, of the polygons too
+  std::vector<PolygonFigures> figures_;
   BoxedFaces::Waiting waiting_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "tracer/shading/camera_rays.h"
 #include "tracer/shading/warn_light.h"
@@ -49,7 +50,171 @@ std::optional<Point3> refract(const Point3& view, const Point3& normal, double e
   return -eta * view + (eta * cosine - std::sqrt(k)) * normal;
 }
 
-std::uint64_t WhittedTracer::take_hash() { return std::exchange(hash_, 0); }
+void WhittedTracer::trace(std::span<const Ray> primaries, int depth, std::span<TracedPixel> pixels) {
+  pixels_ = pixels;
+  paths_.clear();
+  shadows_.clear();
+  for (std::uint32_t i = 0; i < primaries.size(); ++i) {
+    pixels[i] = {};
+    add_path(primaries[i], RayKind::primary, i, no_face);
+  }
+  for (std::size_t begin = 0; begin < paths_.size(); --depth) {
+    const std::size_t end = paths_.size();
+    find_faces(begin);
+    find_shines(begin);
+    find_starts(begin, depth > 1);
+    add_light();
+    if (depth > 1) send_on(begin);
+    begin = end;
+  }
+  for (std::size_t i = 0; i < primaries.size(); ++i) {
+    pixels[i].colour = gather(paths_[i]);
+    pixels[i].decisions = std::exchange(hash_, 0);
+  }
+}
+
+std::uint32_t WhittedTracer::add_path(const Ray& ray, RayKind kind, std::uint32_t pixel, std::uint32_t apart) {
+  const Ray rounded{in_format(ray.o, world_.format), {in_format(ray.d.v, world_.format)}};
+  paths_.push_back({rounded, kind, pixel, apart});
+  shadows_.insert(shadows_.end(), world_.scene->lights.size(), Shadow::unasked);
+  return static_cast<std::uint32_t>(paths_.size() - 1);
+}
+
+void WhittedTracer::find_faces(std::size_t begin) {
+  std::vector<RayQuestion> questions;
+  for (std::size_t i = begin; i < paths_.size(); ++i) questions.push_back({paths_[i].ray, paths_[i].apart});
+  visibility_.first_hits(questions);
+  for (const RayQuestion& q : questions) {
+    Path& p = paths_[begin++];
+    pixels_[p.pixel].cost += q.cost;
+    p.face = q.face;
+    if (p.face) look_at(p);
+  }
+}
+
+void WhittedTracer::look_at(Path& p) const {
+  const Triangle& t = world_.triangles[*p.face];
+  p.view = normalised(-p.ray.d.v);
+  const Point3 normal = face_normal(t);
+  p.from_outside = glm::dot(normal, p.view) >= 0;
+  const Point3 facing = normal == Point3(0) ? p.view : p.from_outside ? normal : -normal;
+  p.at = {p.ray.o, *p.face, hit_point(p.ray, t, world_.box(*p.face)), facing};
+  p.colour = material_of(p).ambient * material_of(p).colour;
+}
+
+/// Light by light, so that neighbours in the list look the same way.
+void WhittedTracer::find_shines(std::size_t begin) {
+  shines_.clear();
+  for (std::uint32_t l = 0; l < world_.scene->lights.size(); ++l) {
+    const Light& light = world_.scene->lights[l];
+    for (std::size_t i = begin; i < paths_.size(); ++i) {
+      Path& p = paths_[i];
+      if (!p.face) continue;
+      const Point3 to_light = normalised(light.position - p.at.point);
+      const double cosine = glm::dot(to_light, p.at.normal);
+      if (!(cosine > 0)) continue;
+      const double strength = strength_at(light, p.at.point);
+      if (!(strength > 0)) continue;
+      p.departs = true;
+      shines_.push_back({static_cast<std::uint32_t>(i), l, to_light, cosine, strength});
+    }
+  }
+}
+
+/// For the surfaces that light may reach, and for those that send rays on.
+void WhittedTracer::find_starts(std::size_t begin, bool sends_on) {
+  std::vector<NearQuestion> questions;
+  for (std::size_t i = begin; i < paths_.size(); ++i) {
+    Path& p = paths_[i];
+    if (p.face && sends_on) p.departs |= material_of(p).reflection > 0 || material_of(p).transparency > 0;
+    if (p.departs) questions.push_back({p.at});
+  }
+  departures_.near_sides(questions);
+  for (const NearQuestion& q : questions) {
+    while (!paths_[begin].departs) ++begin;
+    Path& p = paths_[begin++];
+    pixels_[p.pixel].cost += q.cost;
+    p.near = q.start;
+  }
+}
+
+void WhittedTracer::add_light() {
+  std::vector<SegmentQuestion> questions;
+  for (const Shine& s : shines_) {
+    const Path& p = paths_[s.path];
+    const Segment way{p.near.point, in_format(world_.scene->lights[s.light].position, world_.format)};
+    questions.push_back({way, departures_.left_behind(p.at, p.near, way.q)});
+  }
+  visibility_.blocked(questions);
+  for (std::size_t i = 0; i < shines_.size(); ++i) {
+    const Shine& s = shines_[i];
+    Path& p = paths_[s.path];
+    pixels_[p.pixel].cost += questions[i].cost;
+    shadow_of(s.path, s.light) = questions[i].met ? Shadow::blocked : Shadow::lit;
+    if (!questions[i].met) p.colour += light_of(s);
+  }
+}
+
+Colour WhittedTracer::light_of(const Shine& s) const {
+  const Path& p = paths_[s.path];
+  const Light& light = world_.scene->lights[s.light];
+  const Material& m = material_of(p);
+  Colour colour = m.diffuse * s.cosine * (m.colour * light.colour);
+  if (m.specular > 0) {
+    const double shine = std::max(0.0, glm::dot(mirrored(s.to_light, p.at.normal), p.view));
+    colour += m.specular * power(shine, m.shininess) * light.colour;
+  }
+  return s.strength * colour;
+}
+
+/// Total internal reflection sends the refracted share back inside.
+void WhittedTracer::send_on(std::size_t begin) {
+  const std::size_t end = paths_.size();
+  const auto reflect = [&](std::size_t i) {
+    const Path& p = paths_[i];
+    const Direction direction{in_format(mirrored(p.view, p.at.normal), world_.format)};
+    return add_path({p.near.point, direction}, RayKind::reflection, p.pixel,
+                    departures_.left_behind(p.at, p.near, direction));
+  };
+  std::vector<FarQuestion> questions;
+  std::vector<std::pair<std::size_t, Point3>> directions;
+  for (std::size_t i = begin; i < end; ++i) {
+    if (!paths_[i].face) continue;
+    const Material& m = material_of(paths_[i]);
+    if (m.reflection > 0) paths_[i].reflected = reflect(i);
+    if (!(m.transparency > 0)) continue;
+    const Path& p = paths_[i];
+    const double eta = p.from_outside ? 1 / m.refractive_index : m.refractive_index;
+    if (const std::optional<Point3> direction = tribunal::refract(p.view, p.at.normal, eta)) {
+      questions.push_back({p.at, p.near.point});
+      directions.emplace_back(i, *direction);
+    } else {
+      paths_[i].refracted = reflect(i);
+    }
+  }
+  departures_.far_sides(questions);
+  for (std::size_t k = 0; k < questions.size(); ++k) {
+    const auto& [i, direction] = directions[k];
+    pixels_[paths_[i].pixel].cost += questions[k].cost;
+    paths_[i].refracted = add_path({questions[k].start, {direction}}, RayKind::refraction, paths_[i].pixel, no_face);
+  }
+}
+
+Colour WhittedTracer::gather(const Path& p) {
+  note(p.kind, p.ray, p.face ? std::int64_t{*p.face} : -1, p.face.has_value());
+  if (!p.face) return world_.scene->background;
+  for (std::size_t l = 0; l < world_.scene->lights.size(); ++l) {
+    const Shadow shadow = shadow_of(static_cast<std::size_t>(&p - paths_.data()), l);
+    if (shadow == Shadow::unasked) continue;
+    const bool blocked = shadow == Shadow::blocked;
+    note(RayKind::shadow, Segment{p.near.point, in_format(world_.scene->lights[l].position, world_.format)}, blocked,
+         blocked);
+  }
+  Colour colour = p.colour;
+  if (p.reflected != nothing) colour += material_of(p).reflection * gather(paths_[p.reflected]);
+  if (p.refracted != nothing) colour += material_of(p).transparency * gather(paths_[p.refracted]);
+  return colour;
+}
 
 void WhittedTracer::note(RayKind kind, const Probe& probe, std::int64_t outcome, bool hit) {
   const auto k = static_cast<std::size_t>(kind);
@@ -57,73 +222,6 @@ void WhittedTracer::note(RayKind kind, const Probe& probe, std::int64_t outcome,
   tally_.ray_hits[k] += hit;
   hash_ = mixed(hash_, static_cast<std::uint64_t>(outcome));
   if (log_) log_->push_back({kind, probe, outcome});
-}
-
-Colour WhittedTracer::trace(const Ray& wanted, RayKind kind, int depth, std::uint32_t apart) {
-  const Ray ray{in_format(wanted.o, world_.format), {in_format(wanted.d.v, world_.format)}};
-  const std::optional<std::uint32_t> hit = visibility_.first_hit(ray, apart);
-  note(kind, ray, hit ? std::int64_t{*hit} : -1, hit.has_value());
-  return hit ? shade(surface_at(ray, *hit), depth) : world_.scene->background;
-}
-
-WhittedTracer::Surface WhittedTracer::surface_at(const Ray& ray, std::uint32_t id) const {
-  const Triangle& t = world_.triangles[id];
-  const Point3 view = normalised(-ray.d.v);
-  const Point3 normal = face_normal(t);
-  const bool from_outside = glm::dot(normal, view) >= 0;
-  const Point3 facing = normal == Point3(0) ? view : from_outside ? normal : -normal;
-  return {{ray.o, id, hit_point(ray, t, world_.box(id)), facing}, view, from_outside, world_.material_of(id)};
-}
-
-const Start& WhittedTracer::near_start(Surface& s) {
-  if (!s.near) s.near = departures_.near_side(s.at);
-  return *s.near;
-}
-
-Colour WhittedTracer::shade(Surface s, int depth) {
-  const Material& m = s.material;
-  Colour colour = m.ambient * m.colour;
-  for (const Light& light : world_.scene->lights) colour += light_on(s, light);
-  if (depth <= 1) return colour;
-  if (m.reflection > 0) colour += m.reflection * reflected(s, depth);
-  if (m.transparency > 0) colour += m.transparency * refracted(s, depth);
-  return colour;
-}
-
-Colour WhittedTracer::light_on(Surface& s, const Light& light) {
-  const Point3 to_light = normalised(light.position - s.at.point);
-  const double cosine = glm::dot(to_light, s.at.normal);
-  if (!(cosine > 0)) return {};
-  const double strength = strength_at(light, s.at.point);
-  if (!(strength > 0)) return {};
-  const Start& start = near_start(s);
-  const Segment way{start.point, in_format(light.position, world_.format)};
-  const bool blocked = visibility_.is_blocked(way, departures_.left_behind(s.at, start, way.q));
-  note(RayKind::shadow, way, blocked, blocked);
-  if (blocked) return {};
-  const Material& m = s.material;
-  Colour colour = m.diffuse * cosine * (m.colour * light.colour);
-  if (m.specular > 0) {
-    const double shine = std::max(0.0, glm::dot(mirrored(to_light, s.at.normal), s.view));
-    colour += m.specular * power(shine, m.shininess) * light.colour;
-  }
-  return strength * colour;
-}
-
-Colour WhittedTracer::reflected(Surface& s, int depth) {
-  const Start& start = near_start(s);
-  const Direction direction{in_format(mirrored(s.view, s.at.normal), world_.format)};
-  return trace({start.point, direction}, RayKind::reflection, depth - 1,
-               departures_.left_behind(s.at, start, direction));
-}
-
-/// Total internal reflection sends the refracted share back inside.
-Colour WhittedTracer::refracted(Surface& s, int depth) {
-  const double eta = s.from_outside ? 1 / s.material.refractive_index : s.material.refractive_index;
-  const std::optional<Point3> direction = refract(s.view, s.at.normal, eta);
-  if (!direction) return reflected(s, depth);
-  const Point3 start = departures_.far_side(s.at, near_start(s).point);
-  return trace({start, {*direction}}, RayKind::refraction, depth - 1, Visibility::nobody);
 }
 
 }  // namespace tribunal

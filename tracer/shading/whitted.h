@@ -5,6 +5,10 @@
 // double arithmetic, the same lines for every method. So two methods get the same pixel unless they decide
 // differently somewhere, and at the first such place they were asked the same question.
 //
+// Rays are cast generation by generation: all primary rays of a tile, then their shadow rays, then all rays that these
+// surfaces send on, and so forth, since questions that are alike are cheaper together (visibility.h). The light is
+// gathered depth first, ray by ray, as the recursion would.
+//
 // Secondary rays start where departure.h says: proved right for exact methods, by the customary bias for others. So
 // two exact methods cast the same rays; of an exact and another, secondary rays differ a little in their starts.
 #pragma once
@@ -14,6 +18,13 @@
 #include "tracer/shading/departure.h"
 
 namespace tribunal {
+
+/// What a primary ray brought home.
+struct TracedPixel {
+  Colour colour;            ///< light that arrives along it
+  std::uint64_t decisions;  ///< a hash of the outcomes of all decisions
+  Cost cost;
+};
 
 /// Traces rays of one world with one method. One object a thread.
 class WhittedTracer {
@@ -27,30 +38,57 @@ class WhittedTracer {
         log_(log) {}
   WhittedTracer(const WhittedTracer&) = delete;
 
-  /// Light that arrives along a primary ray, with this many generations of rays.
-  Colour trace(const Ray& primary, int depth) { return trace(primary, RayKind::primary, depth, Visibility::nobody); }
+  /// Of each primary ray, with this many generations of rays.
+  void trace(std::span<const Ray> primaries, int depth, std::span<TracedPixel> pixels);
 
-  /// A hash of the outcomes of all decisions since the last call.
-  std::uint64_t take_hash();
+  /// The same of one.
+  TracedPixel trace(const Ray& primary, int depth) {
+    TracedPixel pixel;
+    trace({&primary, 1}, depth, {&pixel, 1});
+    return pixel;
+  }
 
  private:
-  /// What shading knows of a hit. `normal` faces the viewer.
-  struct Surface {
-    Landing at;
-    Point3 view;
-    bool from_outside;
-    const Material& material;
-    std::optional<Start> near{};  ///< start on the viewer's side, once it is needed
+  static constexpr std::uint32_t nothing = ~std::uint32_t{0};
+
+  /// A ray on its way, and what shading knows of the surface that it hit. `normal` faces the viewer.
+  struct Path {
+    Ray ray;
+    RayKind kind;
+    std::uint32_t pixel, apart;
+    std::optional<std::uint32_t> face{};
+    Landing at{};
+    Point3 view{};
+    bool from_outside = false, departs = false;
+    Start near{};  ///< on the viewer's side, if a ray departs
+    Colour colour{};
+    std::uint32_t reflected = nothing, refracted = nothing;  ///< paths that it sent on
   };
 
-  Colour trace(const Ray& ray, RayKind kind, int depth, std::uint32_t apart);
-  Surface surface_at(const Ray& ray, std::uint32_t id) const;
-  Colour shade(Surface s, int depth);
-  Colour light_on(Surface& s, const Light& light);
-  Colour reflected(Surface& s, int depth);
-  Colour refracted(Surface& s, int depth);
-  const Start& near_start(Surface& s);
+  /// A light that shines on a surface unless something is in the way.
+  struct Shine {
+    std::uint32_t path, light;
+    Point3 to_light;
+    double cosine, strength;
+  };
+
+  enum class Shadow : std::uint8_t { unasked, lit, blocked };
+
+  std::uint32_t add_path(const Ray& ray, RayKind kind, std::uint32_t pixel, std::uint32_t apart);
+  void find_faces(std::size_t begin);
+  void look_at(Path& p) const;
+  void find_shines(std::size_t begin);
+  void find_starts(std::size_t begin, bool all);
+  void add_light();
+  Colour light_of(const Shine& s) const;
+  void send_on(std::size_t begin);
+  Colour gather(const Path& p);
   void note(RayKind kind, const Probe& probe, std::int64_t outcome, bool hit);
+
+  const Material& material_of(const Path& p) const { return world_.material_of(*p.face); }
+  Shadow& shadow_of(std::size_t path, std::size_t light) {
+    return shadows_[path * world_.scene->lights.size() + light];
+  }
 
   const World& world_;
   Visibility visibility_;
@@ -58,6 +96,10 @@ class WhittedTracer {
   RayTally& tally_;
   std::vector<Decision>* log_;
   std::uint64_t hash_ = 0;
+  std::span<TracedPixel> pixels_;
+  std::vector<Path> paths_;  ///< a generation after the other
+  std::vector<Shadow> shadows_;
+  std::vector<Shine> shines_;
 };
 
 /// The direction of a refracted ray, or nothing under total internal reflection. `view` and `normal` are unit vectors

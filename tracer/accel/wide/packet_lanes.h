@@ -1,0 +1,273 @@
+// The walk of a packet. Included by files that are compiled for one instruction set each.
+#pragma once
+
+#include "exact/filtered/batch/batch_lanes.h"
+#include "exact/filtered/batch/polygon_lanes.h"
+#include "exact/filtered/term_filter.h"
+#include "tracer/accel/wide/packet_probe.h"
+
+namespace tribunal::HWY_NAMESPACE {
+
+inline constexpr unsigned all_lanes = (1U << packet_size) - 1, chunk_lanes = (1U << double_lanes) - 1;
+
+/// Which lanes still ask, how far, and what they found: what the two walks share.
+struct PacketState {
+  PacketState(const ProbePacket& p, const PacketProbe& boxes, PacketAnswer& told)
+      : packet(p), asking(p.lanes & boxes.held), answer(told) {}
+
+  const ProbePacket& packet;
+  alignas(64) float limit[packet_size] = {};
+  unsigned asking, unsure = 0;
+  PacketAnswer& answer;
+
+  void drop(unsigned lanes) {
+    unsure |= lanes;
+    asking &= ~lanes;
+  }
+  void finish(unsigned held) { answer.known = packet.lanes & held & ~unsure; }
+};
+
+/// A node or leaf that waits for some lanes, which enter it at `entry`.
+struct WaitingNode {
+  alignas(32) float entry[packet_size];
+  NodeRef at;
+  unsigned lanes;
+};
+
+/// Nodes that wait, the one to visit next on top.
+class PacketStack {
+ public:
+  PacketStack() {}
+
+  bool empty() const { return size_ == 0; }
+  const WaitingNode& pop() { return nodes_[--size_]; }
+  void push(const WaitingNode& n) { nodes_[size_++] = n; }
+
+ private:
+  static constexpr std::size_t depth = 48 + 28;  ///< at most, of a tree (build.cpp)
+
+  std::size_t size_ = 0;
+  union {
+    WaitingNode nodes_[depth * (node_width - 1) + node_width];
+  };
+};
+
+/// Pushes the children that some asking lanes enter: the one that a lane enters first on top.
+template <bool in_order>
+HWY_INLINE void push_children(const WideNode& node, const PacketBoxes& boxes, unsigned lanes, PacketState& state,
+                              PacketStack& stack) {
+  WaitingNode children[node_width];
+  std::uint64_t keys[node_width];
+  std::size_t met = 0;
+  std::size_t k = 0;
+  for (; k < node_width && !node.is_empty(k); ++k) {
+    WaitingNode& child = children[met];
+    const unsigned entering = lanes & boxes.entered(node, k, state.limit, child.entry);
+    if (entering == 0) continue;
+    child.at = node.child[k];
+    child.lanes = entering;
+    const float at = child.entry[std::countr_zero(entering)];
+    keys[met] = std::uint64_t{std::bit_cast<std::uint32_t>(at)} << 32 | met;
+    ++met;
+  }
+  state.answer.boxes += k * static_cast<std::uint64_t>(std::popcount(lanes));
+  if (in_order) {
+    for (std::size_t i = 1; i < met; ++i) {
+      const std::uint64_t key = keys[i];
+      std::size_t j = i;
+      for (; j > 0 && keys[j - 1] < key; --j) keys[j] = keys[j - 1];
+      keys[j] = key;
+    }
+  }
+  for (std::size_t i = 0; i < met; ++i) stack.push(children[in_order ? keys[i] & 0xff : i]);
+}
+
+/// Calls leaf(ref, lanes) for the leaves that asking lanes may meet by their limits, nearer ones first if in_order.
+template <bool in_order, class Leaf>
+HWY_INLINE void walk_together(const WideTree& tree, const PacketProbe& probe, PacketState& state, const Leaf& leaf) {
+  if (tree.empty()) return;
+  const PacketBoxes boxes(probe);
+  PacketStack stack;
+  stack.push({{}, tree.root(), state.asking});
+  while (!stack.empty() && state.asking != 0) {
+    const WaitingNode& next = stack.pop();
+    const NodeRef at = next.at;
+    const unsigned lanes = next.lanes & state.asking & PacketBoxes::within(next.entry, state.limit);
+    if (lanes == 0) continue;
+    if (at.is_leaf()) {
+      leaf(at, lanes);
+    } else {
+      push_children<in_order>(tree.nodes()[at.index()], boxes, lanes, state, stack);
+    }
+  }
+}
+
+/// The probes of a packet against the faces of a leaf.
+template <class P>
+class PacketSieve {
+ public:
+  PacketSieve(const PacketFaces& faces, PacketState& state) : faces_(faces), state_(state) {}
+
+  /// Calls hit(id, chunk, lanes, verdict) for certain hits, of one chunk of lanes; drops lanes of which nothing is
+  /// certain.
+  template <class Hit>
+  HWY_INLINE void sift(NodeRef leaf, unsigned lanes, const Hit& hit) {
+    count(lanes, leaf.count());
+    const double* const column = faces_.tree.columns(leaf);
+    const std::size_t n = leaf.count();
+    for (std::size_t k = 0; k < n; ++k) {
+      const auto id = static_cast<std::uint32_t>(column[9 * n + k]);
+      for (std::size_t c = 0; c < packet_size; c += double_lanes) {
+        const unsigned asked = lanes & state_.asking & chunk_lanes << c;
+        if (asked != 0) sift_face(leaf, column + k, n, id, c, asked >> c, hit);
+      }
+    }
+  }
+
+ private:
+  static HWY_INLINE Vec3<Lanes> load(const double (&columns)[3][packet_size], std::size_t c) {
+    return {Lanes::load(columns[0] + c), Lanes::load(columns[1] + c), Lanes::load(columns[2] + c)};
+  }
+
+  static HWY_INLINE Vec3<Lanes> vertex(const double* column, std::size_t n) {
+    return {Lanes(column[0]), Lanes(column[n]), Lanes(column[2 * n])};
+  }
+
+  HWY_INLINE void count(unsigned lanes, std::size_t faces) {
+    for (std::size_t c = 0; c < packet_size; c += double_lanes) {
+      const std::uint8_t bits = static_cast<std::uint8_t>(lanes >> c);
+      const Vector more = hn::IfThenElseZero(hn::LoadMaskBits(tag, &bits), hn::Set(tag, static_cast<double>(faces)));
+      hn::StoreU(hn::Add(hn::LoadU(tag, state_.answer.tests + c), more), tag, state_.answer.tests + c);
+    }
+  }
+
+  template <class Hit>
+  HWY_INLINE void sift_face(NodeRef leaf, const double* column, std::size_t n, std::uint32_t id, std::size_t c,
+                            unsigned asked, const Hit& hit) {
+    const bool is_triangle = leaf.holds_triangles();
+    LaneVerdict verdict = is_triangle ? of_triangle(column, n, c) : of_polygon(id, c, asked);
+    const Lanes apart = Lanes::load(state_.packet.apart + c), this_id(static_cast<double>(id));
+    const unsigned left_behind = ((apart >= this_id) & (apart <= this_id)).bits();
+    verdict.missed |= left_behind;
+    verdict.hit &= asked & ~left_behind;
+    const unsigned told = asked & (verdict.missed | verdict.hit);
+    PacketAnswer& answer = state_.answer;
+    (is_triangle ? answer.triangle_tests : answer.polygon_tests) += static_cast<unsigned>(std::popcount(told));
+    if (told != asked) state_.drop((asked & ~told) << c);
+    if (verdict.hit == 0) return;
+    (is_triangle ? answer.triangle_hits : answer.polygon_hits) += static_cast<unsigned>(std::popcount(verdict.hit));
+    hit(this_id, c, verdict);
+  }
+
+  HWY_INLINE LaneVerdict of_triangle(const double* column, std::size_t n, std::size_t c) const {
+    const LiftedTriangle<Lanes> t{vertex(column, n), vertex(column + 3 * n, n), vertex(column + 6 * n, n)};
+    const Vec3<Lanes> source = load(state_.packet.source, c), target = load(state_.packet.target, c);
+    const Arms<Lanes> arms = arms_of_lanes<P>(source, target, t);
+    const Vec3<Lanes> m = largest(arms);
+    const Lanes bound = volume_bound(m, constants_);
+    const SharedVolumes<Lanes> v = shared_volumes<P>(arms);
+    const Lanes margin = margin_of(v);
+    const unsigned safe = in_range(m, constants_).bits();
+    return {certain_miss(margin, bound).bits() & safe,
+            certain_hit(margin, bound).bits() & safe,
+            v.sides.source,
+            -v.sides.toward,
+            bound,
+            bound};
+  }
+
+  HWY_INLINE LaneVerdict of_polygon(std::uint32_t id, std::size_t c, unsigned asked) const {
+    const PolygonFigures& figures = faces_.polygons[static_cast<std::size_t>(faces_.polygon_of[id])];
+    return PolygonSieve<P>(load(state_.packet.source, c), load(state_.packet.target, c)).sift(figures, asked);
+  }
+
+  const PacketFaces& faces_;
+  PacketState& state_;
+  FilterConstants<Lanes> constants_{Lanes(shared_volumes_filter.k), Lanes(shared_volumes_filter.tiny),
+                                    Lanes(shared_volumes_filter.huge)};
+};
+
+/// The closest hit of each lane so far: bounds of its parameter, and the face.
+class ClosestLanes {
+ public:
+  ClosestLanes(const PacketProbe& probe, PacketState& state) : probe_(probe), state_(state) {
+    for (std::size_t k = 0; k < packet_size; ++k) {
+      least_[k] = greatest_[k] = std::numeric_limits<double>::infinity();
+      state.limit[k] = WideProbe::far_away;
+    }
+  }
+
+  /// Of two hits of one lane the bounds must be apart, else it is dropped.
+  HWY_INLINE void add(const Lanes& id, std::size_t c, const LaneVerdict& v) {
+    const Lanes forward = unit_with_sign_of(v.den), n = v.num * forward, d = v.den * forward;
+    const Lanes least = lowered(Lanes((n - v.num_bound) / (d + v.den_bound)));
+    const Lanes greatest = raised(Lanes((n + v.num_bound) / (d - v.den_bound)));
+    const LaneMask closer = greatest<Lanes::load(least_ + c), farther = least> Lanes::load(greatest_ + c);
+    const unsigned ahead = v.hit & closer.bits(), apart = ahead | farther.bits();
+    if ((v.hit & ~apart) != 0) state_.drop((v.hit & ~apart) << c);
+    if (ahead == 0) return;
+    state_.answer.hit |= ahead << c;
+    store(ahead, least, least_ + c);
+    store(ahead, greatest, greatest_ + c);
+    store(ahead, id, state_.answer.id + c);
+    lower_limit(c);
+  }
+
+ private:
+  using Halves = hn::Rebind<float, Tag>;
+
+  /// Quotients are not negative, are off by five roundings at most, and may have overflowed; their operands are at
+  /// least the bounds' `tiny`, so that no operand underflowed.
+  static HWY_INLINE Lanes lowered(const Lanes& x) {
+    return smaller(x, Lanes(std::numeric_limits<double>::max())) * Lanes(1 - 0x1p-48) + Lanes(-0x1p-1000);
+  }
+  static HWY_INLINE Lanes raised(const Lanes& x) { return x * Lanes(1 + 0x1p-48) + Lanes(0x1p-1000); }
+
+  static HWY_INLINE void store(unsigned lanes, const Lanes& x, double* to) {
+    const std::uint8_t bits = static_cast<std::uint8_t>(lanes);
+    hn::StoreU(hn::IfThenElse(hn::LoadMaskBits(tag, &bits), x.v, hn::LoadU(tag, to)), tag, to);
+  }
+
+  /// WideProbe::limit_at.
+  HWY_INLINE void lower_limit(std::size_t c) {
+    const Halves halves;
+    const Lanes tau = Lanes::load(greatest_ + c) * Lanes::load(probe_.scale + c);
+    const Lanes raised_tau = tau * Lanes(1 + 0x1p-20) + Lanes(0x1p-100);
+    const Lanes in_range = smaller(raised_tau, Lanes(double{WideProbe::far_away}));
+    hn::StoreU(hn::DemoteTo(halves, in_range.v), halves, state_.limit + c);
+  }
+
+  const PacketProbe& probe_;
+  PacketState& state_;
+  alignas(64) double least_[packet_size], greatest_[packet_size];
+};
+
+[[gnu::flatten]] inline void first_hits(const PacketFaces& faces, const ProbePacket& packet, PacketAnswer& answer) {
+  const PacketProbe probe = PacketProbe::of<Ray>(packet, faces.tree.frame());
+  PacketState state(packet, probe, answer);
+  ClosestLanes closest(probe, state);
+  PacketSieve<Ray> sieve(faces, state);
+  walk_together<true>(faces.tree, probe, state, [&](NodeRef leaf, unsigned lanes) {
+    sieve.sift(leaf, lanes, [&](const Lanes& id, std::size_t c, const LaneVerdict& v) { closest.add(id, c, v); });
+  });
+  state.finish(probe.held);
+}
+
+[[gnu::flatten]] inline void any_hits(const PacketFaces& faces, const ProbePacket& packet, PacketAnswer& answer) {
+  const PacketProbe probe = PacketProbe::of<Segment>(packet, faces.tree.frame());
+  PacketState state(packet, probe, answer);
+  for (std::size_t k = 0; k < packet_size; ++k)
+    state.limit[k] = static_cast<float>(std::min(probe.scale[k] * (1 + 0x1p-20) + 0x1p-100, 0x1p100));
+  PacketSieve<Segment> sieve(faces, state);
+  walk_together<false>(faces.tree, probe, state, [&](NodeRef leaf, unsigned lanes) {
+    sieve.sift(leaf, lanes, [&](const Lanes&, std::size_t c, const LaneVerdict& v) {
+      answer.hit |= v.hit << c;
+      state.asking &= ~(v.hit << c);
+    });
+  });
+  state.finish(probe.held);
+}
+
+inline constexpr PacketTarget packet_target_here() { return {first_hits, any_hits}; }
+
+}  // namespace tribunal::HWY_NAMESPACE
