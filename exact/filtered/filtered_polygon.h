@@ -55,6 +55,15 @@ class FilteredPolygon {
     return filtered<std::optional<bool>>(probe, [] { return std::nullopt; });
   }
 
+  /// The same of a probe that is known to run from one side of the plane to the other, strictly, however close to it.
+  /// The bounds of the point where it crosses do not ask for certain sides: plane_crossing.h takes the heights with
+  /// their errors.
+  template <class P>
+  std::optional<bool> filter_crossing(const P& probe) const {
+    const Vec3<Twin<double>> ends = ends_from(base_, probe);
+    return certain_parity<P>(ends.x, ends.y, ends.z, dot(normal_, ends), reach_of(ends));
+  }
+
   /// For the same filter on vector lanes (batch/polygon_lanes.h). Views this polygon, which may be moved.
   PolygonFigures figures() const;
 

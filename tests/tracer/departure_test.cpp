@@ -49,8 +49,8 @@ void check(const World& world, const Ray& ray, Visibility& eye, Departures& depa
   const Landing at{ray.o, *id, ray.o + (h.num / h.den) * ray.d.v, normal};
   const RationalKernel k;
   const std::uint64_t unproved = starts.tally.starts_unproved;
-  const Point3 near = departures.near_side(at).point;
-  const Point3 far = departures.far_side(at, near);
+  const Start start = departures.near_side(at);
+  const Point3 near = start.point, far = departures.far_side(at, start).point;
   if (starts.tally.starts_unproved != unproved) {
     EXPECT_NE(contact_of(world, ray, *id), Contact::interior) << "only where an edge is grazed";
     EXPECT_EQ(far, near);
@@ -104,7 +104,7 @@ TEST(Departures, SayWhereNothingCanBeProved) {
   departures.near_side(on_face);
   EXPECT_EQ(tally.starts_unproved, 1u);
   const Landing twice{{0, 0, 1}, 0, {0, 0, 0}, {0, 0, 1}};
-  departures.far_side(twice, departures.near_side(twice).point);
+  departures.far_side(twice, departures.near_side(twice));
   EXPECT_EQ(tally.starts_unproved, 2u);
 }
 
@@ -117,7 +117,7 @@ TEST(Departures, AreCustomaryForInexactMethods) {
   Departures departures(world, method("sf-double"), eye, tally);
   const Landing at{{0, 0, 0}, 0, {0, 0, -1}, {0, 0, 1}};
   EXPECT_EQ(departures.near_side(at).point, Point3(0, 0, -1 + world.step));
-  EXPECT_EQ(departures.far_side(at, {}), Point3(0, 0, -1 - world.step));
+  EXPECT_EQ(departures.far_side(at, {}).point, Point3(0, 0, -1 - world.step));
   EXPECT_EQ(tally.start_tests, 0u);
 }
 

@@ -21,8 +21,9 @@ bool is_finite_target(const Direction& d) { return is_finite(d.v); }
 /// The exact side of the face's plane on which a point lies, or to which a direction leads; 0 if that is not finite.
 template <class X>
 int Departures::side_of(std::uint32_t face, const X& x) {
-  if (face != face_) plane_.emplace(world_.triangles[face]), face_ = face;
-  if (const std::optional<Sign> side = plane_->side(x)) return value(*side);
+  KnownPlane& known = planes_[face % planes_.size()];
+  if (known.face != face) known = {face, PlaneFilter(world_.triangles[face])};
+  if (const std::optional<Sign> side = known.plane->side(x)) return value(*side);
   if (!is_finite_target(x)) return 0;
   const Triangle t = world_.triangles[face];
   return value(FilteredKernel().orient3d(t.a, t.b, t.c, x));
@@ -45,10 +46,20 @@ std::optional<Point3> Departures::near_candidate(const Landing& at, int k) const
   return in_format(at.point + (step / length) * back, world_.format);
 }
 
+/// From the origin. Neither the face that was hit matters, if the candidate lies on the origin's side of it, nor the one
+/// that the ray left behind, if the candidate does so too.
+SegmentQuestion Departures::way_to(const Landing& at, const Point3& candidate) {
+  const Behind& b = at.behind;
+  const bool stays = b.face != no_face && side_of(b.face, candidate) == b.side;
+  return {{at.origin, candidate}, {at.face, stays ? b.face : no_face}};
+}
+
 bool Departures::is_near_start(const Landing& at, const Point3& candidate, int side) {
   ++tally_.start_candidates;
   if (side_of(at.face, candidate) != side) return false;
-  return candidate == at.origin || !visibility_.meets_any({at.origin, candidate}, at.face);
+  if (candidate == at.origin) return true;
+  const SegmentQuestion q = way_to(at, candidate);
+  return !visibility_.meets_any(q.way, q.apart);
 }
 
 /// From the k-th candidate on, one by one; the origin is the last.
@@ -76,7 +87,7 @@ void Departures::near_sides(std::span<NearQuestion> questions) {
     if (q.start.side == 0 || !candidate || *candidate == at.origin || side_of(at.face, *candidate) != q.start.side)
       continue;
     q.start.point = *candidate;
-    ways_.push_back({{at.origin, *candidate}, at.face});
+    ways_.push_back(way_to(at, *candidate));
   }
   visibility_.met(ways_);
   const SegmentQuestion* way = ways_.data();
@@ -102,13 +113,13 @@ Start Departures::near_side(const Landing& at) {
 }
 
 template <class X>
-std::uint32_t Departures::left_behind(const Landing& at, const Start& start, const X& target) {
+Behind Departures::left_behind(const Landing& at, const Start& start, const X& target) {
   const bool leaves = start.side != 0 && side_of(at.face, target) == start.side;
-  return leaves ? at.face : no_face;
+  return leaves ? Behind{at.face, start.side} : Behind{};
 }
 
-template std::uint32_t Departures::left_behind(const Landing&, const Start&, const Point3&);
-template std::uint32_t Departures::left_behind(const Landing&, const Start&, const Direction&);
+template Behind Departures::left_behind(const Landing&, const Start&, const Point3&);
+template Behind Departures::left_behind(const Landing&, const Start&, const Direction&);
 
 /// Behind the hit by the step of `shifts` k, straight or shifted along the face.
 Point3 Departures::far_candidate(const Landing& at, int k) const {
@@ -128,14 +139,14 @@ bool Departures::is_far_start(const Landing& at, const Point3& near, const Point
   ++tally_.start_candidates;
   if (side_of(at.face, candidate) != -side) return false;
   const Segment way{near, candidate};
-  return !visibility_.meets_any(way, at.face) && visibility_.meets(way, at.face);
+  return !visibility_.meets_any(way, {at.face, no_face}) && visibility_.passes_through(way, at.face);
 }
 
 /// From the k-th candidate on, one by one.
-Point3 Departures::search_far(const FarQuestion& q, int side, int k) {
+Start Departures::search_far(const FarQuestion& q, int side, int k) {
   for (; side != 0 && k < 5 * (doublings + 1); ++k) {
     const Point3 candidate = far_candidate(q.at, k);
-    if (is_far_start(q.at, q.near, candidate, side)) return candidate;
+    if (is_far_start(q.at, q.near.point, candidate, side)) return {candidate, -side};
   }
   ++tally_.starts_unproved;
   return q.near;
@@ -145,24 +156,24 @@ void Departures::far_sides(std::span<FarQuestion> questions) {
   tally_.starts += questions.size();
   ways_.clear();
   for (FarQuestion& q : questions) {
-    q.start = proves_ ? far_candidate(q.at, 0) : customary(q.at, -1);
-    if (proves_) ways_.push_back({{q.near, q.start}, q.at.face});
+    q.start.point = proves_ ? far_candidate(q.at, 0) : customary(q.at, -1);
+    if (proves_) ways_.push_back({{q.near.point, q.start.point}, {q.at.face, no_face}});
   }
   visibility_.met(ways_);
   for (std::size_t i = 0; i < ways_.size(); ++i) {
     FarQuestion& q = questions[i];
-    const int side = side_of(q.at.face, q.near);
+    const int side = side_of(q.at.face, q.near.point);
     const RayTally before = tally_;
     ++tally_.start_candidates;
-    const bool proved = side != 0 && !ways_[i].met && side_of(q.at.face, q.start) == -side &&
-                        visibility_.meets(ways_[i].way, q.at.face);
-    if (!proved) q.start = search_far(q, side, 1);
+    const bool proved = side != 0 && !ways_[i].met && side_of(q.at.face, q.start.point) == -side &&
+                        visibility_.passes_through(ways_[i].way, q.at.face);
+    q.start = proved ? Start{q.start.point, -side} : search_far(q, side, 1);
     q.cost += cost_between(before, tally_);
     q.cost += ways_[i].cost;
   }
 }
 
-Point3 Departures::far_side(const Landing& at, const Point3& near) {
+Start Departures::far_side(const Landing& at, const Start& near) {
   FarQuestion q{at, near};
   far_sides({&q, 1});
   return q.start;

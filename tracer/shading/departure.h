@@ -37,14 +37,21 @@
 
 namespace tribunal {
 
+/// A face that a ray leaves behind: the ray starts and runs strictly on one side of its plane, whose sign this is.
+struct Behind {
+  std::uint32_t face = no_face;
+  int side = 0;
+};
+
 /// A hit from which rays may depart. `point` is rounded; `normal` is a unit vector on the side of the viewer.
 struct Landing {
   Point3 origin;  ///< of the ray that hit
   std::uint32_t face;
   Point3 point, normal;
+  Behind behind{};  ///< by that ray
 };
 
-/// A start on the near side of a face.
+/// A start on one side of a face.
 struct Start {
   Point3 point;
   int side = 0;  ///< where it is proved: the sign of orient3d(a, b, c, point), not zero; else 0
@@ -60,8 +67,8 @@ struct NearQuestion {
 /// Where it may depart beyond the face. `near` is the answer to the other question.
 struct FarQuestion {
   Landing at;
-  Point3 near;
-  Point3 start{};
+  Start near;
+  Start start{};
   Cost cost{};
 };
 
@@ -79,20 +86,21 @@ class Departures {
 
   /// The same of one.
   Start near_side(const Landing& at);
-  Point3 far_side(const Landing& at, const Point3& near);
+  Start far_side(const Landing& at, const Start& near);
 
   /// The face itself, if a probe from a proved start to a point, or in a direction, stays strictly on the start's side
-  /// of its plane, and so cannot meet it; else no_face. Without it each shadow ray would put the question that is
+  /// of its plane, and so cannot meet it; else none. Without it each shadow ray would put the question that is
   /// hardest for a filter: whether a point one rounding off a plane lies on it.
   template <class X>
-  std::uint32_t left_behind(const Landing& at, const Start& start, const X& target);
+  Behind left_behind(const Landing& at, const Start& start, const X& target);
 
  private:
   Point3 customary(const Landing& at, double side) const;
   std::optional<Point3> near_candidate(const Landing& at, int k) const;
   Point3 far_candidate(const Landing& at, int k) const;
   Start search_near(const Landing& at, int side, int k);
-  Point3 search_far(const FarQuestion& q, int side, int k);
+  Start search_far(const FarQuestion& q, int side, int k);
+  SegmentQuestion way_to(const Landing& at, const Point3& candidate);
   bool is_near_start(const Landing& at, const Point3& candidate, int side);
   bool is_far_start(const Landing& at, const Point3& near, const Point3& candidate, int side);
   double smallest_step(const Landing& at) const;
@@ -104,8 +112,13 @@ class Departures {
   Visibility& visibility_;
   RayTally& tally_;
   std::vector<SegmentQuestion> ways_;  ///< to first candidates
-  std::uint32_t face_ = no_face;       ///< the last one asked about, and its plane
-  std::optional<PlaneFilter> plane_;
+
+  /// Planes of the faces that were asked about of late, by the last bits of their ids.
+  struct KnownPlane {
+    std::uint32_t face = no_face;
+    std::optional<PlaneFilter> plane{};
+  };
+  std::array<KnownPlane, 16> planes_;
 };
 
 }  // namespace tribunal

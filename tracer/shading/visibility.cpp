@@ -13,10 +13,10 @@ namespace {
 /// The method whose filter the tree's lanes compute: exact/filtered/filtered.h.
 constexpr std::string_view sifted_method = "sf-filtered";
 
-void put(ProbePacket& packet, std::size_t lane, const RayQuestion& q) { packet.set(lane, q.ray.o, q.ray.d.v, q.apart); }
+void put(ProbePacket& packet, std::size_t lane, const RayQuestion& q) { packet.set(lane, q.ray.o, q.ray.d.v, q.apart, no_face); }
 
 void put(ProbePacket& packet, std::size_t lane, const SegmentQuestion& q) {
-  packet.set(lane, q.way.p, q.way.q, q.apart);
+  packet.set(lane, q.way.p, q.way.q, q.apart[0], q.apart[1]);
 }
 
 bool is_finite_probe(const RayQuestion& q) { return is_finite(q.ray); }
@@ -146,7 +146,7 @@ void Visibility::any_met(std::span<SegmentQuestion> questions, const Alone& alon
 }
 
 void Visibility::blocked(std::span<SegmentQuestion> questions) {
-  any_met<false>(questions, [&](SegmentQuestion& q) { q.met = is_blocked(q.way, q.apart); });
+  any_met<false>(questions, [&](SegmentQuestion& q) { q.met = is_blocked(q.way, q.apart[0]); });
 }
 
 void Visibility::met(std::span<SegmentQuestion> questions) {
@@ -268,21 +268,27 @@ bool Visibility::is_blocked(const Segment& way, std::uint32_t apart) {
   return blocked;
 }
 
-bool Visibility::meets_any(const Segment& way, std::uint32_t apart) {
+bool Visibility::meets_any(const Segment& way, std::array<std::uint32_t, 2> apart) {
   if (!is_finite(way)) return true;
   RayTally uncounted;
   bool met = false;
   std::uint64_t told = 0;
+  const auto matters = [&](std::uint32_t id) { return ++told, id != apart[0] && id != apart[1]; };
   const std::uint64_t missed = along(
-      way, uncounted, [&](std::uint32_t id) { return ++told, met = id != apart; },
-      [&](std::uint32_t id) { return ++told, met = id != apart && is_visible_hit(ask(way, id)); });
+      way, uncounted, [&](std::uint32_t id) { return met = matters(id); },
+      [&](std::uint32_t id) { return met = matters(id) && is_visible_hit(ask(way, id)); });
   tally_.start_tests += told + missed;
   return met;
 }
 
-bool Visibility::meets(const Segment& way, std::uint32_t id) {
+bool Visibility::passes_through(const Segment& way, std::uint32_t id) {
   ++tally_.start_tests;
-  return is_finite(way) && is_visible_hit(ask(way, id));
+  if (!is_finite(way)) return false;
+  if (sifts_ && world_.polygon_of[id] >= 0) {
+    const FilteredPolygon& polygon = filtered_[static_cast<std::size_t>(world_.polygon_of[id])];
+    if (const std::optional<bool> certain = polygon.filter_crossing(way)) return *certain;
+  }
+  return is_visible_hit(ask(way, id));
 }
 
 bool Visibility::sees(const Probe& probe, std::uint32_t id) const {

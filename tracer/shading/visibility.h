@@ -42,7 +42,7 @@ struct RayQuestion {
 /// Whether a segment meets any face, and what it cost to know.
 struct SegmentQuestion {
   Segment way;
-  std::uint32_t apart = no_face;  ///< a face that does not matter
+  std::array<std::uint32_t, 2> apart{no_face, no_face};  ///< faces that do not matter
   bool met = false;
   Cost cost{};
 };
@@ -74,10 +74,11 @@ class Visibility {
   /// The same of one.
   std::optional<std::uint32_t> first_hit(const Ray& ray, std::uint32_t apart = no_face);
   bool is_blocked(const Segment& way, std::uint32_t apart = no_face);
-  bool meets_any(const Segment& way, std::uint32_t apart = no_face);
+  bool meets_any(const Segment& way, std::array<std::uint32_t, 2> apart);
 
-  /// Whether a closed segment meets this face. Counted as a start_test.
-  bool meets(const Segment& way, std::uint32_t id);
+  /// Whether a segment whose ends lie strictly on either side of this face's plane meets the face. Counted as a
+  /// start_test.
+  bool passes_through(const Segment& way, std::uint32_t id);
 
   /// Whether the method counts this face as a hit of this probe, as the tracer reads it.
   bool sees(const Probe& probe, std::uint32_t id) const;

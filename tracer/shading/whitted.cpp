@@ -56,7 +56,7 @@ void WhittedTracer::trace(std::span<const Ray> primaries, int depth, std::span<T
   shadows_.clear();
   for (std::uint32_t i = 0; i < primaries.size(); ++i) {
     pixels[i] = {};
-    add_path(primaries[i], RayKind::primary, i, no_face);
+    add_path(primaries[i], RayKind::primary, i, {});
   }
   for (std::size_t begin = 0; begin < paths_.size(); --depth) {
     const std::size_t end = paths_.size();
@@ -73,16 +73,16 @@ void WhittedTracer::trace(std::span<const Ray> primaries, int depth, std::span<T
   }
 }
 
-std::uint32_t WhittedTracer::add_path(const Ray& ray, RayKind kind, std::uint32_t pixel, std::uint32_t apart) {
+std::uint32_t WhittedTracer::add_path(const Ray& ray, RayKind kind, std::uint32_t pixel, Behind behind) {
   const Ray rounded{in_format(ray.o, world_.format), {in_format(ray.d.v, world_.format)}};
-  paths_.push_back({rounded, kind, pixel, apart});
+  paths_.push_back({rounded, kind, pixel, behind});
   shadows_.insert(shadows_.end(), world_.scene->lights.size(), Shadow::unasked);
   return static_cast<std::uint32_t>(paths_.size() - 1);
 }
 
 void WhittedTracer::find_faces(std::size_t begin) {
   std::vector<RayQuestion> questions;
-  for (std::size_t i = begin; i < paths_.size(); ++i) questions.push_back({paths_[i].ray, paths_[i].apart});
+  for (std::size_t i = begin; i < paths_.size(); ++i) questions.push_back({paths_[i].ray, paths_[i].behind.face});
   visibility_.first_hits(questions);
   for (const RayQuestion& q : questions) {
     Path& p = paths_[begin++];
@@ -98,7 +98,7 @@ void WhittedTracer::look_at(Path& p) const {
   const Point3 normal = face_normal(t);
   p.from_outside = glm::dot(normal, p.view) >= 0;
   const Point3 facing = normal == Point3(0) ? p.view : p.from_outside ? normal : -normal;
-  p.at = {p.ray.o, *p.face, hit_point(p.ray, t, world_.box(*p.face)), facing};
+  p.at = {p.ray.o, *p.face, hit_point(p.ray, t, world_.box(*p.face)), facing, p.behind};
   p.colour = material_of(p).ambient * material_of(p).colour;
 }
 
@@ -143,7 +143,7 @@ void WhittedTracer::add_light() {
   for (const Shine& s : shines_) {
     const Path& p = paths_[s.path];
     const Segment way{p.near.point, in_format(world_.scene->lights[s.light].position, world_.format)};
-    questions.push_back({way, departures_.left_behind(p.at, p.near, way.q)});
+    questions.push_back({way, {departures_.left_behind(p.at, p.near, way.q).face, no_face}});
   }
   visibility_.blocked(questions);
   for (std::size_t i = 0; i < shines_.size(); ++i) {
@@ -177,7 +177,7 @@ void WhittedTracer::send_on(std::size_t begin) {
                     departures_.left_behind(p.at, p.near, direction));
   };
   std::vector<FarQuestion> questions;
-  std::vector<std::pair<std::size_t, Point3>> directions;
+  std::vector<std::pair<std::size_t, Direction>> directions;
   for (std::size_t i = begin; i < end; ++i) {
     if (!paths_[i].face) continue;
     const Material& m = material_of(paths_[i]);
@@ -185,9 +185,9 @@ void WhittedTracer::send_on(std::size_t begin) {
     if (!(m.transparency > 0)) continue;
     const Path& p = paths_[i];
     const double eta = p.from_outside ? 1 / m.refractive_index : m.refractive_index;
-    if (const std::optional<Point3> direction = tribunal::refract(p.view, p.at.normal, eta)) {
-      questions.push_back({p.at, p.near.point});
-      directions.emplace_back(i, *direction);
+    if (const std::optional<Point3> direction = refract(p.view, p.at.normal, eta)) {
+      questions.push_back({p.at, p.near});
+      directions.emplace_back(i, Direction{in_format(*direction, world_.format)});
     } else {
       paths_[i].refracted = reflect(i);
     }
@@ -195,8 +195,11 @@ void WhittedTracer::send_on(std::size_t begin) {
   departures_.far_sides(questions);
   for (std::size_t k = 0; k < questions.size(); ++k) {
     const auto& [i, direction] = directions[k];
-    pixels_[paths_[i].pixel].cost += questions[k].cost;
-    paths_[i].refracted = add_path({questions[k].start, {direction}}, RayKind::refraction, paths_[i].pixel, no_face);
+    const FarQuestion& q = questions[k];
+    const std::uint32_t pixel = paths_[i].pixel;
+    pixels_[pixel].cost += q.cost;
+    paths_[i].refracted = add_path({q.start.point, direction}, RayKind::refraction, pixel,
+                                   departures_.left_behind(q.at, q.start, direction));
   }
 }
 

@@ -55,7 +55,8 @@ class WhittedTracer {
   struct Path {
     Ray ray;
     RayKind kind;
-    std::uint32_t pixel, apart;
+    std::uint32_t pixel;
+    Behind behind;
     std::optional<std::uint32_t> face{};
     Landing at{};
     Point3 view{};
@@ -74,7 +75,7 @@ class WhittedTracer {
 
   enum class Shadow : std::uint8_t { unasked, lit, blocked };
 
-  std::uint32_t add_path(const Ray& ray, RayKind kind, std::uint32_t pixel, std::uint32_t apart);
+  std::uint32_t add_path(const Ray& ray, RayKind kind, std::uint32_t pixel, Behind behind);
   void find_faces(std::size_t begin);
   void look_at(Path& p) const;
   void find_shines(std::size_t begin);

@@ -18,12 +18,13 @@ inline constexpr std::size_t packet_size = 8;
 /// Probes by columns: source, and target of a segment or direction of a ray.
 struct ProbePacket {
   alignas(64) double source[3][packet_size] = {}, target[3][packet_size] = {};
-  alignas(64) double apart[packet_size] = {};  ///< the id of a face that the caller knows the probe not to meet
+  alignas(64) double apart[2][packet_size] = {};  ///< ids of faces that do not matter to the probe
   unsigned lanes = 0;                          ///< where a probe is, a bit each
 
-  void set(std::size_t lane, const Point3& from, const Point3& to, std::uint32_t apart_from) {
+  void set(std::size_t lane, const Point3& from, const Point3& to, std::uint32_t face, std::uint32_t other) {
     for (int i = 0; i < 3; ++i) source[i][lane] = from[i], target[i][lane] = to[i];
-    apart[lane] = apart_from;
+    apart[0][lane] = face;
+    apart[1][lane] = other;
     lanes |= 1U << lane;
   }
 };

@@ -3,7 +3,7 @@
 
 #include "exact/filtered/batch/batch_lanes.h"
 #include "exact/filtered/batch/polygon_lanes.h"
-#include "exact/filtered/term_filter.h"
+#include "exact/filtered/batch/term_lanes.h"
 #include "tracer/accel/wide/packet_probe.h"
 
 namespace tribunal::HWY_NAMESPACE {
@@ -133,6 +133,11 @@ class PacketSieve {
     return {Lanes(column[0]), Lanes(column[n]), Lanes(column[2 * n])};
   }
 
+  static HWY_INLINE unsigned equal(const double* ids, const Lanes& id) {
+    const Lanes x = Lanes::load(ids);
+    return ((x >= id) & (x <= id)).bits();
+  }
+
   HWY_INLINE void count(unsigned lanes, std::size_t faces) {
     for (std::size_t c = 0; c < packet_size; c += double_lanes) {
       const std::uint8_t bits = static_cast<std::uint8_t>(lanes >> c);
@@ -145,11 +150,11 @@ class PacketSieve {
   HWY_INLINE void sift_face(NodeRef leaf, const double* column, std::size_t n, std::uint32_t id, std::size_t c,
                             unsigned asked, const Hit& hit) {
     const bool is_triangle = leaf.holds_triangles();
-    LaneVerdict verdict = is_triangle ? of_triangle(column, n, c) : of_polygon(id, c, asked);
-    const Lanes apart = Lanes::load(state_.packet.apart + c), this_id(static_cast<double>(id));
-    const unsigned left_behind = ((apart >= this_id) & (apart <= this_id)).bits();
-    verdict.missed |= left_behind;
-    verdict.hit &= asked & ~left_behind;
+    LaneVerdict verdict = is_triangle ? of_triangle(column, n, c, asked) : of_polygon(id, c, asked);
+    const Lanes this_id(static_cast<double>(id));
+    const unsigned apart = equal(state_.packet.apart[0] + c, this_id) | equal(state_.packet.apart[1] + c, this_id);
+    verdict.missed |= apart;
+    verdict.hit &= asked & ~apart;
     const unsigned told = asked & (verdict.missed | verdict.hit);
     PacketAnswer& answer = state_.answer;
     (is_triangle ? answer.triangle_tests : answer.polygon_tests) += static_cast<unsigned>(std::popcount(told));
@@ -159,7 +164,7 @@ class PacketSieve {
     hit(this_id, c, verdict);
   }
 
-  HWY_INLINE LaneVerdict of_triangle(const double* column, std::size_t n, std::size_t c) const {
+  HWY_INLINE LaneVerdict of_triangle(const double* column, std::size_t n, std::size_t c, unsigned asked) const {
     const LiftedTriangle<Lanes> t{vertex(column, n), vertex(column + 3 * n, n), vertex(column + 6 * n, n)};
     const Vec3<Lanes> source = load(state_.packet.source, c), target = load(state_.packet.target, c);
     const Arms<Lanes> arms = arms_of_lanes<P>(source, target, t);
@@ -168,12 +173,29 @@ class PacketSieve {
     const SharedVolumes<Lanes> v = shared_volumes<P>(arms);
     const Lanes margin = margin_of(v);
     const unsigned safe = in_range(m, constants_).bits();
-    return {certain_miss(margin, bound).bits() & safe,
-            certain_hit(margin, bound).bits() & safe,
-            v.sides.source,
-            -v.sides.toward,
-            bound,
-            bound};
+    LaneVerdict verdict{certain_miss(margin, bound).bits() & safe,
+                        certain_hit(margin, bound).bits() & safe,
+                        v.sides.source,
+                        -v.sides.toward,
+                        bound,
+                        bound};
+    if (HWY_UNLIKELY((asked & ~(verdict.missed | verdict.hit)) != 0)) ask_again(t, source, target, verdict);
+    return verdict;
+  }
+
+  /// Of the second filter, with closer bounds of where hits are.
+  HWY_INLINE void ask_again(const LiftedTriangle<Lanes>& t, const Vec3<Lanes>& source, const Vec3<Lanes>& target,
+                            LaneVerdict& verdict) const {
+    const auto [missed, hit] = missed_and_hit_by_terms<P>({source, target}, t);
+    verdict.missed |= missed;
+    verdict.hit |= hit;
+    const Vec3<Lanes> u = t.b - t.a, v = t.c - t.a;
+    const Expansion<Lanes> height = expanded(u, v, source - t.a), gain = expanded(u, v, target);
+    const Lanes k(volume_terms_filter.k), tiny(volume_terms_filter.tiny);
+    verdict.num = height.value;
+    verdict.den = -gain.value;
+    verdict.num_bound = k * height.terms + tiny;
+    verdict.den_bound = k * gain.terms + tiny;
   }
 
   HWY_INLINE LaneVerdict of_polygon(std::uint32_t id, std::size_t c, unsigned asked) const {
