@@ -9,16 +9,6 @@
 #include "exact/io/failure.h"
 
 namespace tribunal {
-namespace {
-
-std::uint8_t to_level(double x) {
-  return x > 0 ? static_cast<std::uint8_t>(std::min(x, 1.0) * 255 + 0.5) : std::uint8_t{0};
-}
-
-}  // namespace
-
-Pixel to_pixel(const Colour& c) { return {to_level(c.r), to_level(c.g), to_level(c.b)}; }
-
 std::string to_png(const Image& image) {
   const auto append = [](void* to, void* data, int size) {
     static_cast<std::string*>(to)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));

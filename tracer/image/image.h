@@ -1,6 +1,7 @@
 // Pictures of 8-bit RGB pixels.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string>
@@ -22,7 +23,12 @@ struct Image {
 };
 
 /// Clamps to 0..1 and rounds to the nearest of 256 levels; no gamma. Not a number becomes 0.
-Pixel to_pixel(const Colour& c);
+inline Pixel to_pixel(const Colour& c) {
+  const auto level = [](double x) {
+    return x > 0 ? static_cast<std::uint8_t>(std::min(x, 1.0) * 255 + 0.5) : std::uint8_t{0};
+  };
+  return {level(c.r), level(c.g), level(c.b)};
+}
 
 /// The picture as a PNG file's bytes; the same pixels give the same bytes.
 std::string to_png(const Image& image);

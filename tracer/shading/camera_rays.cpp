@@ -15,9 +15,7 @@ double power(double x, double e) {
   return result;
 }
 
-Point3 normalised(const Point3& v) {
-  const double square = glm::dot(v, v);
-  if (square > 0x1p-900 && square < 0x1p900) return v / std::sqrt(square);
+Point3 normalised_far_from_one(const Point3& v) {
   const double size = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
   if (!(size > 0)) return v;
   const Point3 tamed(v.x / size, v.y / size, v.z / size);

@@ -1,6 +1,9 @@
 // From pixels to primary rays.
 #pragma once
 
+#include <cmath>
+#include <glm/geometric.hpp>
+
 #include "tracer/scene/scene.h"
 
 namespace tribunal {
@@ -26,7 +29,13 @@ class CameraRays {
 /// x to the power e, x ≥ 0, e ≥ 0: for whole exponents by multiplications alone, so that no library's rounding shows.
 double power(double x, double e);
 
+/// The same where the square of the length leaves the range of doubles.
+Point3 normalised_far_from_one(const Point3& v);
+
 /// v / |v|, without overflow or underflow on the way; the zero vector stays.
-Point3 normalised(const Point3& v);
+inline Point3 normalised(const Point3& v) {
+  const double square = glm::dot(v, v);
+  return square > 0x1p-900 && square < 0x1p900 ? v / std::sqrt(square) : normalised_far_from_one(v);
+}
 
 }  // namespace tribunal

@@ -46,19 +46,25 @@ std::optional<Point3> Departures::near_candidate(const Landing& at, int k) const
   return in_format(at.point + (step / length) * back, world_.format);
 }
 
-/// From the origin. Neither the face that was hit matters, if the candidate lies on the origin's side of it, nor the one
-/// that the ray left behind, if the candidate does so too.
-SegmentQuestion Departures::way_to(const Landing& at, const Point3& candidate) {
+/// From the origin. Neither the face that was hit matters, if the candidate lies on the origin's side of it, nor the
+/// one that the ray left behind, if the candidate does so too.
+void Departures::add_way_to(const Landing& at, const Point3& candidate) {
   const Behind& b = at.behind;
   const bool stays = b.face != no_face && side_of(b.face, candidate) == b.side;
-  return {{at.origin, candidate}, {at.face, stays ? b.face : no_face}};
+  SegmentQuestion& q = ways_.emplace_back();
+  q.way.p = at.origin;
+  q.way.q = candidate;
+  q.apart[0] = at.face;
+  if (stays) q.apart[1] = b.face;
 }
 
 bool Departures::is_near_start(const Landing& at, const Point3& candidate, int side) {
   ++tally_.start_candidates;
   if (side_of(at.face, candidate) != side) return false;
   if (candidate == at.origin) return true;
-  const SegmentQuestion q = way_to(at, candidate);
+  add_way_to(at, candidate);
+  const SegmentQuestion q = ways_.back();
+  ways_.pop_back();
   return !visibility_.meets_any(q.way, q.apart);
 }
 
@@ -79,7 +85,7 @@ void Departures::near_sides(std::span<NearQuestion> questions) {
   tally_.starts += questions.size();
   ways_.clear();
   for (NearQuestion& q : questions) {
-    const Landing& at = q.at;
+    const Landing& at = *q.at;
     if (!proves_) q.start = {customary(at, 1)};
     if (!proves_) continue;
     q.start = {at.origin, side_of(at.face, at.origin)};
@@ -87,19 +93,19 @@ void Departures::near_sides(std::span<NearQuestion> questions) {
     if (q.start.side == 0 || !candidate || *candidate == at.origin || side_of(at.face, *candidate) != q.start.side)
       continue;
     q.start.point = *candidate;
-    ways_.push_back(way_to(at, *candidate));
+    add_way_to(at, *candidate);
   }
   visibility_.met(ways_);
   const SegmentQuestion* way = ways_.data();
   for (NearQuestion& q : questions) {
     if (!proves_) continue;
-    const bool asked = q.start.point != q.at.origin;
+    const bool asked = q.start.point != q.at->origin;
     tally_.start_candidates += asked;
     const RayTally before = tally_;
     if (!asked) {
-      q.start = search_near(q.at, q.start.side, 0);
+      q.start = search_near(*q.at, q.start.side, 0);
     } else if (way->met) {
-      q.start = search_near(q.at, q.start.side, 1);
+      q.start = search_near(*q.at, q.start.side, 1);
     }
     q.cost += cost_between(before, tally_);
     if (asked) q.cost += (way++)->cost;
@@ -107,7 +113,7 @@ void Departures::near_sides(std::span<NearQuestion> questions) {
 }
 
 Start Departures::near_side(const Landing& at) {
-  NearQuestion q{at};
+  NearQuestion q{&at};
   near_sides({&q, 1});
   return q.start;
 }
@@ -145,8 +151,8 @@ bool Departures::is_far_start(const Landing& at, const Point3& near, const Point
 /// From the k-th candidate on, one by one.
 Start Departures::search_far(const FarQuestion& q, int side, int k) {
   for (; side != 0 && k < 5 * (doublings + 1); ++k) {
-    const Point3 candidate = far_candidate(q.at, k);
-    if (is_far_start(q.at, q.near.point, candidate, side)) return {candidate, -side};
+    const Point3 candidate = far_candidate(*q.at, k);
+    if (is_far_start(*q.at, q.near.point, candidate, side)) return {candidate, -side};
   }
   ++tally_.starts_unproved;
   return q.near;
@@ -156,17 +162,17 @@ void Departures::far_sides(std::span<FarQuestion> questions) {
   tally_.starts += questions.size();
   ways_.clear();
   for (FarQuestion& q : questions) {
-    q.start.point = proves_ ? far_candidate(q.at, 0) : customary(q.at, -1);
-    if (proves_) ways_.push_back({{q.near.point, q.start.point}, {q.at.face, no_face}});
+    q.start.point = proves_ ? far_candidate(*q.at, 0) : customary(*q.at, -1);
+    if (proves_) ways_.push_back({{q.near.point, q.start.point}, {q.at->face, no_face}});
   }
   visibility_.met(ways_);
   for (std::size_t i = 0; i < ways_.size(); ++i) {
     FarQuestion& q = questions[i];
-    const int side = side_of(q.at.face, q.near.point);
+    const int side = side_of(q.at->face, q.near.point);
     const RayTally before = tally_;
     ++tally_.start_candidates;
-    const bool proved = side != 0 && !ways_[i].met && side_of(q.at.face, q.start.point) == -side &&
-                        visibility_.passes_through(ways_[i].way, q.at.face);
+    const bool proved = side != 0 && !ways_[i].met && side_of(q.at->face, q.start.point) == -side &&
+                        visibility_.passes_through(ways_[i].way, q.at->face);
     q.start = proved ? Start{q.start.point, -side} : search_far(q, side, 1);
     q.cost += cost_between(before, tally_);
     q.cost += ways_[i].cost;
@@ -174,7 +180,7 @@ void Departures::far_sides(std::span<FarQuestion> questions) {
 }
 
 Start Departures::far_side(const Landing& at, const Start& near) {
-  FarQuestion q{at, near};
+  FarQuestion q{&at, near};
   far_sides({&q, 1});
   return q.start;
 }

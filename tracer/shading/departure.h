@@ -59,14 +59,14 @@ struct Start {
 
 /// Where a ray may depart on the side from which the face was hit, and what it cost to know.
 struct NearQuestion {
-  Landing at;
+  const Landing* at = nullptr;
   Start start{};
   Cost cost{};
 };
 
 /// Where it may depart beyond the face. `near` is the answer to the other question.
 struct FarQuestion {
-  Landing at;
+  const Landing* at = nullptr;
   Start near;
   Start start{};
   Cost cost{};
@@ -100,7 +100,7 @@ class Departures {
   Point3 far_candidate(const Landing& at, int k) const;
   Start search_near(const Landing& at, int side, int k);
   Start search_far(const FarQuestion& q, int side, int k);
-  SegmentQuestion way_to(const Landing& at, const Point3& candidate);
+  void add_way_to(const Landing& at, const Point3& candidate);
   bool is_near_start(const Landing& at, const Point3& candidate, int side);
   bool is_far_start(const Landing& at, const Point3& near, const Point3& candidate, int side);
   double smallest_step(const Landing& at) const;

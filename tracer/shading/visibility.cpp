@@ -13,7 +13,9 @@ namespace {
 /// The method whose filter the tree's lanes compute: exact/filtered/filtered.h.
 constexpr std::string_view sifted_method = "sf-filtered";
 
-void put(ProbePacket& packet, std::size_t lane, const RayQuestion& q) { packet.set(lane, q.ray.o, q.ray.d.v, q.apart, no_face); }
+void put(ProbePacket& packet, std::size_t lane, const RayQuestion& q) {
+  packet.set(lane, q.ray.o, q.ray.d.v, q.apart, no_face);
+}
 
 void put(ProbePacket& packet, std::size_t lane, const SegmentQuestion& q) {
   packet.set(lane, q.way.p, q.way.q, q.apart[0], q.apart[1]);

@@ -74,17 +74,25 @@ void WhittedTracer::trace(std::span<const Ray> primaries, int depth, std::span<T
 }
 
 std::uint32_t WhittedTracer::add_path(const Ray& ray, RayKind kind, std::uint32_t pixel, Behind behind) {
-  const Ray rounded{in_format(ray.o, world_.format), {in_format(ray.d.v, world_.format)}};
-  paths_.push_back({rounded, kind, pixel, behind});
+  Path& p = paths_.emplace_back();
+  p.ray.o = in_format(ray.o, world_.format);
+  p.ray.d.v = in_format(ray.d.v, world_.format);
+  p.kind = kind;
+  p.pixel = pixel;
+  p.at.behind = behind;
   shadows_.insert(shadows_.end(), world_.scene->lights.size(), Shadow::unasked);
   return static_cast<std::uint32_t>(paths_.size() - 1);
 }
 
 void WhittedTracer::find_faces(std::size_t begin) {
-  std::vector<RayQuestion> questions;
-  for (std::size_t i = begin; i < paths_.size(); ++i) questions.push_back({paths_[i].ray, paths_[i].behind.face});
-  visibility_.first_hits(questions);
-  for (const RayQuestion& q : questions) {
+  rays_.clear();
+  for (std::size_t i = begin; i < paths_.size(); ++i) {
+    RayQuestion& q = rays_.emplace_back();
+    q.ray = paths_[i].ray;
+    q.apart = paths_[i].at.behind.face;
+  }
+  visibility_.first_hits(rays_);
+  for (const RayQuestion& q : rays_) {
     Path& p = paths_[begin++];
     pixels_[p.pixel].cost += q.cost;
     p.face = q.face;
@@ -98,7 +106,10 @@ void WhittedTracer::look_at(Path& p) const {
   const Point3 normal = face_normal(t);
   p.from_outside = glm::dot(normal, p.view) >= 0;
   const Point3 facing = normal == Point3(0) ? p.view : p.from_outside ? normal : -normal;
-  p.at = {p.ray.o, *p.face, hit_point(p.ray, t, world_.box(*p.face)), facing, p.behind};
+  p.at.origin = p.ray.o;
+  p.at.face = *p.face;
+  p.at.point = hit_point(p.ray, t, world_.box(*p.face));
+  p.at.normal = facing;
   p.colour = material_of(p).ambient * material_of(p).colour;
 }
 
@@ -116,21 +127,26 @@ void WhittedTracer::find_shines(std::size_t begin) {
       const double strength = strength_at(light, p.at.point);
       if (!(strength > 0)) continue;
       p.departs = true;
-      shines_.push_back({static_cast<std::uint32_t>(i), l, to_light, cosine, strength});
+      Shine& s = shines_.emplace_back();
+      s.path = static_cast<std::uint32_t>(i);
+      s.light = l;
+      s.to_light = to_light;
+      s.cosine = cosine;
+      s.strength = strength;
     }
   }
 }
 
 /// For the surfaces that light may reach, and for those that send rays on.
 void WhittedTracer::find_starts(std::size_t begin, bool sends_on) {
-  std::vector<NearQuestion> questions;
+  starts_.clear();
   for (std::size_t i = begin; i < paths_.size(); ++i) {
     Path& p = paths_[i];
     if (p.face && sends_on) p.departs |= material_of(p).reflection > 0 || material_of(p).transparency > 0;
-    if (p.departs) questions.push_back({p.at});
+    if (p.departs) starts_.emplace_back().at = &p.at;
   }
-  departures_.near_sides(questions);
-  for (const NearQuestion& q : questions) {
+  departures_.near_sides(starts_);
+  for (const NearQuestion& q : starts_) {
     while (!paths_[begin].departs) ++begin;
     Path& p = paths_[begin++];
     pixels_[p.pixel].cost += q.cost;
@@ -139,19 +155,21 @@ void WhittedTracer::find_starts(std::size_t begin, bool sends_on) {
 }
 
 void WhittedTracer::add_light() {
-  std::vector<SegmentQuestion> questions;
+  ways_.clear();
   for (const Shine& s : shines_) {
     const Path& p = paths_[s.path];
-    const Segment way{p.near.point, in_format(world_.scene->lights[s.light].position, world_.format)};
-    questions.push_back({way, {departures_.left_behind(p.at, p.near, way.q).face, no_face}});
+    SegmentQuestion& q = ways_.emplace_back();
+    q.way.p = p.near.point;
+    q.way.q = in_format(world_.scene->lights[s.light].position, world_.format);
+    q.apart[0] = departures_.left_behind(p.at, p.near, q.way.q).face;
   }
-  visibility_.blocked(questions);
+  visibility_.blocked(ways_);
   for (std::size_t i = 0; i < shines_.size(); ++i) {
     const Shine& s = shines_[i];
     Path& p = paths_[s.path];
-    pixels_[p.pixel].cost += questions[i].cost;
-    shadow_of(s.path, s.light) = questions[i].met ? Shadow::blocked : Shadow::lit;
-    if (!questions[i].met) p.colour += light_of(s);
+    pixels_[p.pixel].cost += ways_[i].cost;
+    shadow_of(s.path, s.light) = ways_[i].met ? Shadow::blocked : Shadow::lit;
+    if (!ways_[i].met) p.colour += light_of(s);
   }
 }
 
@@ -186,12 +204,13 @@ void WhittedTracer::send_on(std::size_t begin) {
     const Path& p = paths_[i];
     const double eta = p.from_outside ? 1 / m.refractive_index : m.refractive_index;
     if (const std::optional<Point3> direction = refract(p.view, p.at.normal, eta)) {
-      questions.push_back({p.at, p.near});
+      questions.push_back({nullptr, p.near});
       directions.emplace_back(i, Direction{in_format(*direction, world_.format)});
     } else {
       paths_[i].refracted = reflect(i);
     }
   }
+  for (std::size_t k = 0; k < questions.size(); ++k) questions[k].at = &paths_[directions[k].first].at;
   departures_.far_sides(questions);
   for (std::size_t k = 0; k < questions.size(); ++k) {
     const auto& [i, direction] = directions[k];
@@ -199,19 +218,20 @@ void WhittedTracer::send_on(std::size_t begin) {
     const std::uint32_t pixel = paths_[i].pixel;
     pixels_[pixel].cost += q.cost;
     paths_[i].refracted = add_path({q.start.point, direction}, RayKind::refraction, pixel,
-                                   departures_.left_behind(q.at, q.start, direction));
+                                   departures_.left_behind(paths_[i].at, q.start, direction));
   }
 }
 
 Colour WhittedTracer::gather(const Path& p) {
-  note(p.kind, p.ray, p.face ? std::int64_t{*p.face} : -1, p.face.has_value());
+  note(p.kind, p.face ? std::int64_t{*p.face} : -1, p.face.has_value(), [&] { return p.ray; });
   if (!p.face) return world_.scene->background;
   for (std::size_t l = 0; l < world_.scene->lights.size(); ++l) {
     const Shadow shadow = shadow_of(static_cast<std::size_t>(&p - paths_.data()), l);
     if (shadow == Shadow::unasked) continue;
     const bool blocked = shadow == Shadow::blocked;
-    note(RayKind::shadow, Segment{p.near.point, in_format(world_.scene->lights[l].position, world_.format)}, blocked,
-         blocked);
+    note(RayKind::shadow, blocked, blocked, [&] {
+      return Segment{p.near.point, in_format(world_.scene->lights[l].position, world_.format)};
+    });
   }
   Colour colour = p.colour;
   if (p.reflected != nothing) colour += material_of(p).reflection * gather(paths_[p.reflected]);
@@ -219,12 +239,13 @@ Colour WhittedTracer::gather(const Path& p) {
   return colour;
 }
 
-void WhittedTracer::note(RayKind kind, const Probe& probe, std::int64_t outcome, bool hit) {
+template <class ProbeOf>
+void WhittedTracer::note(RayKind kind, std::int64_t outcome, bool hit, const ProbeOf& probe) {
   const auto k = static_cast<std::size_t>(kind);
   ++tally_.rays[k];
   tally_.ray_hits[k] += hit;
   hash_ = mixed(hash_, static_cast<std::uint64_t>(outcome));
-  if (log_) log_->push_back({kind, probe, outcome});
+  if (log_) log_->push_back({kind, probe(), outcome});
 }
 
 }  // namespace tribunal

@@ -53,16 +53,17 @@ class WhittedTracer {
 
   /// A ray on its way, and what shading knows of the surface that it hit. `normal` faces the viewer.
   struct Path {
+    Path() {}  // what is not set here is set before it is looked at
+
     Ray ray;
     RayKind kind;
     std::uint32_t pixel;
-    Behind behind;
-    std::optional<std::uint32_t> face{};
-    Landing at{};
-    Point3 view{};
-    bool from_outside = false, departs = false;
-    Start near{};  ///< on the viewer's side, if a ray departs
-    Colour colour{};
+    std::optional<std::uint32_t> face;
+    Landing at;
+    Point3 view;
+    bool from_outside, departs = false;
+    Start near;  ///< on the viewer's side, if a ray departs
+    Colour colour;
     std::uint32_t reflected = nothing, refracted = nothing;  ///< paths that it sent on
   };
 
@@ -84,7 +85,8 @@ class WhittedTracer {
   Colour light_of(const Shine& s) const;
   void send_on(std::size_t begin);
   Colour gather(const Path& p);
-  void note(RayKind kind, const Probe& probe, std::int64_t outcome, bool hit);
+  template <class ProbeOf>
+  void note(RayKind kind, std::int64_t outcome, bool hit, const ProbeOf& probe);
 
   const Material& material_of(const Path& p) const { return world_.material_of(*p.face); }
   Shadow& shadow_of(std::size_t path, std::size_t light) {
@@ -101,6 +103,11 @@ class WhittedTracer {
   std::vector<Path> paths_;  ///< a generation after the other
   std::vector<Shadow> shadows_;
   std::vector<Shine> shines_;
+
+  // Questions of the generation that is under way; kept for their room.
+  std::vector<RayQuestion> rays_;
+  std::vector<NearQuestion> starts_;
+  std::vector<SegmentQuestion> ways_;
 };
 
 /// The direction of a refracted ray, or nothing under total internal reflection. `view` and `normal` are unit vectors
