@@ -75,7 +75,8 @@ TEST(Departures, AreProvedAtVerticesEdgesAndFaces) {
     ASSERT_GT(world.polygons.size(), 30u);
     Starts starts;
     Visibility eye(world, method("sf-filtered"), starts.tally);
-    Departures departures(world, method("sf-filtered"), eye, starts.tally);
+    KnownFaces faces(world);
+    Departures departures(world, method("sf-filtered"), eye, faces, starts.tally);
     Random random(3);
     for (int i = 0; i < 150; ++i) {
       const Triangle& t = world.triangles[static_cast<std::uint32_t>(random.below(world.triangles.size()))];
@@ -99,7 +100,8 @@ TEST(Departures, SayWhereNothingCanBeProved) {
   const World world = make_world(scene, Format::binary64, Accel::bvh);
   RayTally tally;
   Visibility eye(world, method("sf-filtered"), tally);
-  Departures departures(world, method("sf-filtered"), eye, tally);
+  KnownFaces faces(world);
+  Departures departures(world, method("sf-filtered"), eye, faces, tally);
   const Landing on_face{{0, 0, 0}, 0, {0, 0, 0}, {0, 0, 1}};
   departures.near_side(on_face);
   EXPECT_EQ(tally.starts_unproved, 1u);
@@ -114,7 +116,8 @@ TEST(Departures, AreCustomaryForInexactMethods) {
   const World world = make_world(scene, Format::binary64, Accel::bvh);
   RayTally tally;
   Visibility eye(world, method("sf-double"), tally);
-  Departures departures(world, method("sf-double"), eye, tally);
+  KnownFaces faces(world);
+  Departures departures(world, method("sf-double"), eye, faces, tally);
   const Landing at{{0, 0, 0}, 0, {0, 0, -1}, {0, 0, 1}};
   EXPECT_EQ(departures.near_side(at).point, Point3(0, 0, -1 + world.step));
   EXPECT_EQ(departures.far_side(at, {}).point, Point3(0, 0, -1 - world.step));

@@ -3,10 +3,15 @@
 
 #include "tests/tracer/support.h"
 #include "tracer/scene/read_scene.h"
+#include "tracer/shading/camera_rays.h"
 #include "tracer/shading/warn_light.h"
 
 namespace tribunal {
 namespace {
+
+double strength_at(const Light& light, const Point3& point) {
+  return WarnLight(light).strength_at(point, normalised(light.position - point));
+}
 
 using testing::refusal_of;
 

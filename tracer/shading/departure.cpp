@@ -21,11 +21,10 @@ bool is_finite_target(const Direction& d) { return is_finite(d.v); }
 /// The exact side of the face's plane on which a point lies, or to which a direction leads; 0 if that is not finite.
 template <class X>
 int Departures::side_of(std::uint32_t face, const X& x) {
-  KnownPlane& known = planes_[face % planes_.size()];
-  if (known.face != face) known = {face, PlaneFilter(world_.triangles[face])};
-  if (const std::optional<Sign> side = known.plane->side(x)) return value(*side);
+  const KnownFace& known = faces_[face];
+  if (const std::optional<Sign> side = known.plane.side(x)) return value(*side);
   if (!is_finite_target(x)) return 0;
-  const Triangle t = world_.triangles[face];
+  const Triangle& t = known.triangle;
   return value(FilteredKernel().orient3d(t.a, t.b, t.c, x));
 }
 
@@ -41,7 +40,7 @@ double Departures::smallest_step(const Landing& at) const {
 /// Back from the hit by the k-th step; nothing where that is too far.
 std::optional<Point3> Departures::near_candidate(const Landing& at, int k) const {
   const Point3 back = at.origin - at.point;
-  const double length = greatest(back), step = std::ldexp(smallest_step(at), k);
+  const double length = greatest(back), step = k == 0 ? smallest_step(at) : std::ldexp(smallest_step(at), k);
   if (k > doublings || !(step < length)) return std::nullopt;
   return in_format(at.point + (step / length) * back, world_.format);
 }
@@ -129,10 +128,10 @@ template Behind Departures::left_behind(const Landing&, const Start&, const Dire
 
 /// Behind the hit by the step of `shifts` k, straight or shifted along the face.
 Point3 Departures::far_candidate(const Landing& at, int k) const {
-  const Triangle& t = world_.triangles[at.face];
   const double step = std::ldexp(smallest_step(at), k / 5);
   Point3 shift(0);
   if (k % 5 != 0) {
+    const Triangle& t = faces_[at.face].triangle;
     const Point3 along = normalised((t.a - at.point) + (t.b - at.point) + (t.c - at.point));
     const Point3 across = glm::cross(at.normal, along);
     const Point3 shifts[] = {along, -along, across, -across};

@@ -32,7 +32,6 @@
 // the greatest coordinate.
 #pragma once
 
-#include "exact/filtered/term_filter.h"
 #include "tracer/shading/visibility.h"
 
 namespace tribunal {
@@ -75,8 +74,8 @@ struct FarQuestion {
 /// Finds starts for one method in one world. One object a thread.
 class Departures {
  public:
-  Departures(const World& world, const Method& method, Visibility& visibility, RayTally& tally)
-      : world_(world), proves_(method.exact), visibility_(visibility), tally_(tally) {}
+  Departures(const World& world, const Method& method, Visibility& visibility, KnownFaces& faces, RayTally& tally)
+      : world_(world), proves_(method.exact), visibility_(visibility), faces_(faces), tally_(tally) {}
 
   /// On the side of the origin. Adds what that cost.
   void near_sides(std::span<NearQuestion> questions);
@@ -110,15 +109,9 @@ class Departures {
   const World& world_;
   bool proves_;
   Visibility& visibility_;
+  KnownFaces& faces_;
   RayTally& tally_;
   std::vector<SegmentQuestion> ways_;  ///< to first candidates
-
-  /// Planes of the faces that were asked about of late, by the last bits of their ids.
-  struct KnownPlane {
-    std::uint32_t face = no_face;
-    std::optional<PlaneFilter> plane{};
-  };
-  std::array<KnownPlane, 16> planes_;
 };
 
 }  // namespace tribunal

@@ -21,9 +21,6 @@ void put(ProbePacket& packet, std::size_t lane, const SegmentQuestion& q) {
   packet.set(lane, q.way.p, q.way.q, q.apart[0], q.apart[1]);
 }
 
-bool is_finite_probe(const RayQuestion& q) { return is_finite(q.ray); }
-bool is_finite_probe(const SegmentQuestion& q) { return is_finite(q.way); }
-
 Cost cost_of(const PacketAnswer& a, std::size_t lane) {
   const auto tests = static_cast<std::uint64_t>(a.tests[lane]);
   return {tests, tests > 0 ? Stage::filter : Stage::none};
@@ -95,9 +92,7 @@ void Visibility::answer(std::span<Question> questions, const Together& together,
   for (std::size_t from = 0; from < questions.size(); from += packet_size) {
     const std::span<Question> some = questions.subspan(from, std::min(packet_size, questions.size() - from));
     ProbePacket packet;
-    for (std::size_t lane = 0; lane < some.size(); ++lane) {
-      if (is_finite_probe(some[lane])) put(packet, lane, some[lane]);
-    }
+    for (std::size_t lane = 0; lane < some.size(); ++lane) put(packet, lane, some[lane]);
     const unsigned known = together(packet, some);
     for (std::size_t lane = 0; lane < some.size(); ++lane) {
       if ((known >> lane & 1) == 0) ask_alone(some[lane]);

@@ -8,7 +8,7 @@
 #include "core/kernel.h"
 #include "exact/filtered/filtered_polygon.h"
 #include "tracer/accel/wide/packet.h"
-#include "tracer/world.h"
+#include "tracer/shading/known_faces.h"
 
 namespace tribunal {
 
@@ -27,9 +27,6 @@ inline bool is_visible_hit(const Answer& a) {
 /// A hit that blocks the light: 0 < t < 1, as far as the method can tell. A surface through the light itself or
 /// through the start of the shadow ray does not block.
 inline bool is_blocking_hit(const Answer& a) { return is_visible_hit(a) && a.at != At::source && a.at != At::target; }
-
-/// Nobody's id.
-inline constexpr std::uint32_t no_face = ~std::uint32_t{0};
 
 /// Which face a ray meets first, and what it cost to know.
 struct RayQuestion {

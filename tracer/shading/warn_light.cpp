@@ -17,13 +17,17 @@ bool is_between(const Flaps& flaps, const Point3& p) {
 
 }  // namespace
 
-double strength_at(const Light& light, const Point3& point) {
-  if (!is_between(light.flaps, point)) return 0;
-  if (!light.aim) return 1;
-  const double cosine = glm::dot(normalised(point - light.position), normalised(*light.aim - light.position));
-  if (cosine < light.cone_cosine) return 0;
-  if (light.concentration == 0) return 1;
-  return cosine > 0 ? power(cosine, light.concentration) : 0;
+WarnLight::WarnLight(const Light& light) : light_(&light) {
+  if (light.aim) axis_ = normalised(*light.aim - light.position);
+}
+
+double WarnLight::strength_at(const Point3& point, const Point3& to_light) const {
+  if (!is_between(light_->flaps, point)) return 0;
+  if (!light_->aim) return 1;
+  const double cosine = glm::dot(-to_light, axis_);
+  if (cosine < light_->cone_cosine) return 0;
+  if (light_->concentration == 0) return 1;
+  return cosine > 0 ? power(cosine, light_->concentration) : 0;
 }
 
 }  // namespace tribunal

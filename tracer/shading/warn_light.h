@@ -5,9 +5,21 @@
 
 namespace tribunal {
 
-/// The share of the light's colour that it sends towards a point: 0 beyond a flap or outside the cone, else the cosine
-/// of the angle to the aim, raised to the concentration. 1 for a light without aim. Points behind an aimed light
-/// get nothing unless the concentration is 0.
-double strength_at(const Light& light, const Point3& point);
+/// A light made ready for many points.
+class WarnLight {
+ public:
+  explicit WarnLight(const Light& light);
+
+  /// The share of the light's colour that it sends towards a point: 0 beyond a flap or outside the cone, else the
+  /// cosine of the angle to the aim, raised to the concentration. 1 for a light without aim. Points behind an aimed
+  /// light get nothing unless the concentration is 0. `to_light` is the unit vector from the point.
+  double strength_at(const Point3& point, const Point3& to_light) const;
+
+  const Light& light() const { return *light_; }
+
+ private:
+  const Light* light_;
+  Point3 axis_{};  ///< of unit length, towards the aim
+};
 
 }  // namespace tribunal

@@ -10,15 +10,6 @@
 namespace tribunal {
 namespace {
 
-/// The normal that sees the corners counter-clockwise; zero for a face that rounds to no area. The edges are
-/// normalised first where their product may leave the range of doubles.
-Point3 face_normal(const Triangle& t) {
-  const Point3 normal = glm::cross(t.b - t.a, t.c - t.a);
-  const double square = glm::dot(normal, normal);
-  if (square > 0x1p-900 && square < 0x1p900) return normal / std::sqrt(square);
-  return normalised(glm::cross(normalised(t.b - t.a), normalised(t.c - t.a)));
-}
-
 /// The hit point is in the face's box, so the computed one is moved there; a parameter that is not a number (a
 /// method may report hits that no formula confirms) leads to the box's corner.
 Point3 hit_point(const Ray& r, const Triangle& t, const Box& b) {
@@ -80,7 +71,7 @@ std::uint32_t WhittedTracer::add_path(const Ray& ray, RayKind kind, std::uint32_
   p.kind = kind;
   p.pixel = pixel;
   p.at.behind = behind;
-  shadows_.insert(shadows_.end(), world_.scene->lights.size(), Shadow::unasked);
+  shadows_.insert(shadows_.end(), lights_.size(), Shadow::unasked);
   return static_cast<std::uint32_t>(paths_.size() - 1);
 }
 
@@ -100,31 +91,29 @@ void WhittedTracer::find_faces(std::size_t begin) {
   }
 }
 
-void WhittedTracer::look_at(Path& p) const {
-  const Triangle& t = world_.triangles[*p.face];
+void WhittedTracer::look_at(Path& p) {
+  const KnownFace& face = faces_[*p.face];
   p.view = normalised(-p.ray.d.v);
-  const Point3 normal = face_normal(t);
-  p.from_outside = glm::dot(normal, p.view) >= 0;
-  const Point3 facing = normal == Point3(0) ? p.view : p.from_outside ? normal : -normal;
+  p.from_outside = glm::dot(face.normal, p.view) >= 0;
   p.at.origin = p.ray.o;
-  p.at.face = *p.face;
-  p.at.point = hit_point(p.ray, t, world_.box(*p.face));
-  p.at.normal = facing;
-  p.colour = material_of(p).ambient * material_of(p).colour;
+  p.at.face = face.id;
+  p.at.point = hit_point(p.ray, face.triangle, face.box);
+  p.at.normal = face.normal == Point3(0) ? p.view : p.from_outside ? face.normal : -face.normal;
+  p.material = face.material;
+  p.colour = face.material->ambient * face.material->colour;
 }
 
 /// Light by light, so that neighbours in the list look the same way.
 void WhittedTracer::find_shines(std::size_t begin) {
   shines_.clear();
-  for (std::uint32_t l = 0; l < world_.scene->lights.size(); ++l) {
-    const Light& light = world_.scene->lights[l];
+  for (std::uint32_t l = 0; l < lights_.size(); ++l) {
     for (std::size_t i = begin; i < paths_.size(); ++i) {
       Path& p = paths_[i];
       if (!p.face) continue;
-      const Point3 to_light = normalised(light.position - p.at.point);
+      const Point3 to_light = normalised(lights_[l].light().position - p.at.point);
       const double cosine = glm::dot(to_light, p.at.normal);
       if (!(cosine > 0)) continue;
-      const double strength = strength_at(light, p.at.point);
+      const double strength = lights_[l].strength_at(p.at.point, to_light);
       if (!(strength > 0)) continue;
       p.departs = true;
       Shine& s = shines_.emplace_back();
@@ -142,7 +131,7 @@ void WhittedTracer::find_starts(std::size_t begin, bool sends_on) {
   starts_.clear();
   for (std::size_t i = begin; i < paths_.size(); ++i) {
     Path& p = paths_[i];
-    if (p.face && sends_on) p.departs |= material_of(p).reflection > 0 || material_of(p).transparency > 0;
+    if (p.face && sends_on) p.departs |= p.material->reflection > 0 || p.material->transparency > 0;
     if (p.departs) starts_.emplace_back().at = &p.at;
   }
   departures_.near_sides(starts_);
@@ -160,7 +149,7 @@ void WhittedTracer::add_light() {
     const Path& p = paths_[s.path];
     SegmentQuestion& q = ways_.emplace_back();
     q.way.p = p.near.point;
-    q.way.q = in_format(world_.scene->lights[s.light].position, world_.format);
+    q.way.q = in_format(lights_[s.light].light().position, world_.format);
     q.apart[0] = departures_.left_behind(p.at, p.near, q.way.q).face;
   }
   visibility_.blocked(ways_);
@@ -175,8 +164,8 @@ void WhittedTracer::add_light() {
 
 Colour WhittedTracer::light_of(const Shine& s) const {
   const Path& p = paths_[s.path];
-  const Light& light = world_.scene->lights[s.light];
-  const Material& m = material_of(p);
+  const Light& light = lights_[s.light].light();
+  const Material& m = *p.material;
   Colour colour = m.diffuse * s.cosine * (m.colour * light.colour);
   if (m.specular > 0) {
     const double shine = std::max(0.0, glm::dot(mirrored(s.to_light, p.at.normal), p.view));
@@ -198,7 +187,7 @@ void WhittedTracer::send_on(std::size_t begin) {
   std::vector<std::pair<std::size_t, Direction>> directions;
   for (std::size_t i = begin; i < end; ++i) {
     if (!paths_[i].face) continue;
-    const Material& m = material_of(paths_[i]);
+    const Material& m = *paths_[i].material;
     if (m.reflection > 0) paths_[i].reflected = reflect(i);
     if (!(m.transparency > 0)) continue;
     const Path& p = paths_[i];
@@ -225,17 +214,17 @@ void WhittedTracer::send_on(std::size_t begin) {
 Colour WhittedTracer::gather(const Path& p) {
   note(p.kind, p.face ? std::int64_t{*p.face} : -1, p.face.has_value(), [&] { return p.ray; });
   if (!p.face) return world_.scene->background;
-  for (std::size_t l = 0; l < world_.scene->lights.size(); ++l) {
+  for (std::size_t l = 0; l < lights_.size(); ++l) {
     const Shadow shadow = shadow_of(static_cast<std::size_t>(&p - paths_.data()), l);
     if (shadow == Shadow::unasked) continue;
     const bool blocked = shadow == Shadow::blocked;
     note(RayKind::shadow, blocked, blocked, [&] {
-      return Segment{p.near.point, in_format(world_.scene->lights[l].position, world_.format)};
+      return Segment{p.near.point, in_format(lights_[l].light().position, world_.format)};
     });
   }
   Colour colour = p.colour;
-  if (p.reflected != nothing) colour += material_of(p).reflection * gather(paths_[p.reflected]);
-  if (p.refracted != nothing) colour += material_of(p).transparency * gather(paths_[p.refracted]);
+  if (p.reflected != nothing) colour += p.material->reflection * gather(paths_[p.reflected]);
+  if (p.refracted != nothing) colour += p.material->transparency * gather(paths_[p.refracted]);
   return colour;
 }
 

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "tracer/shading/departure.h"
+#include "tracer/shading/warn_light.h"
 
 namespace tribunal {
 
@@ -33,7 +34,9 @@ class WhittedTracer {
   WhittedTracer(const World& world, const Method& method, RayTally& tally, std::vector<Decision>* log = nullptr)
       : world_(world),
         visibility_(world, method, tally),
-        departures_(world, method, visibility_, tally),
+        faces_(world),
+        departures_(world, method, visibility_, faces_, tally),
+        lights_(world.scene->lights.begin(), world.scene->lights.end()),
         tally_(tally),
         log_(log) {}
   WhittedTracer(const WhittedTracer&) = delete;
@@ -61,6 +64,7 @@ class WhittedTracer {
     std::optional<std::uint32_t> face;
     Landing at;
     Point3 view;
+    const Material* material;
     bool from_outside, departs = false;
     Start near;  ///< on the viewer's side, if a ray departs
     Colour colour;
@@ -78,7 +82,7 @@ class WhittedTracer {
 
   std::uint32_t add_path(const Ray& ray, RayKind kind, std::uint32_t pixel, Behind behind);
   void find_faces(std::size_t begin);
-  void look_at(Path& p) const;
+  void look_at(Path& p);
   void find_shines(std::size_t begin);
   void find_starts(std::size_t begin, bool all);
   void add_light();
@@ -95,7 +99,9 @@ class WhittedTracer {
 
   const World& world_;
   Visibility visibility_;
+  KnownFaces faces_;
   Departures departures_;
+  std::vector<WarnLight> lights_;
   RayTally& tally_;
   std::vector<Decision>* log_;
   std::uint64_t hash_ = 0;

@@ -29,8 +29,8 @@ struct ProbePacket {
   }
 };
 
-/// What a walk found. A lane that is not `known` met a face of which doubles cannot tell, or a probe that the boxes'
-/// binary32 cannot hold, or two hits that are too close to order: it is to be asked alone.
+/// What a walk found. A lane that is not `known` met a face of which doubles cannot tell, or two hits that are too close
+/// to order, or its probe is not finite or beyond what the boxes' binary32 can hold: it is to be asked alone.
 struct PacketAnswer {
   unsigned known = 0;                          ///< lanes whose answer is certain
   unsigned hit = 0;                            ///< of these: whose probe hits a face
