@@ -32,10 +32,4 @@ CameraRays::CameraRays(const Camera& c)
   up_ = glm::cross(right_, forward_);
 }
 
-Ray CameraRays::through(int column, int row) const {
-  const double x = 0.5 * pixel_ * (2 * column + 1 - width_);
-  const double y = 0.5 * pixel_ * (height_ - 1 - 2 * row);
-  return {eye_, {forward_ + x * right_ + y * up_}};
-}
-
 }  // namespace tribunal

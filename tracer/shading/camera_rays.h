@@ -14,7 +14,11 @@ namespace tribunal {
 class CameraRays {
  public:
   explicit CameraRays(const Camera& c);
-  Ray through(int column, int row) const;
+  Ray through(int column, int row) const {
+    const double x = 0.5 * pixel_ * (2 * column + 1 - width_);
+    const double y = 0.5 * pixel_ * (height_ - 1 - 2 * row);
+    return {eye_, {forward_ + x * right_ + y * up_}};
+  }
 
   const Point3& forward() const { return forward_; }
   const Point3& right() const { return right_; }

@@ -87,7 +87,8 @@ void Departures::near_sides(std::span<NearQuestion> questions) {
     const Landing& at = *q.at;
     if (!proves_) q.start = {customary(at, 1)};
     if (!proves_) continue;
-    q.start = {at.origin, side_of(at.face, at.origin)};
+    q.start.point = at.origin;
+    q.start.side = side_of(at.face, at.origin);
     const std::optional<Point3> candidate = near_candidate(at, 0);
     if (q.start.side == 0 || !candidate || *candidate == at.origin || side_of(at.face, *candidate) != q.start.side)
       continue;
