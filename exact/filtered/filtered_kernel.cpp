@@ -35,11 +35,16 @@ struct Hits {
 };
 
 template <class X>
+Staged<Sign> exact_orient3d(const Point3& a, const Point3& b, const Point3& c, const X& x) {
+  return decide_exactly(Operands<X>{a, b, c, x},
+                        [](const auto& o, const auto& k) { return k.orient3d(o.a, o.b, o.c, o.x); });
+}
+
+template <class X>
 Staged<Sign> staged_orient3d(const Point3& a, const Point3& b, const Point3& c, const X& x) {
   if (const auto sign = filter_orient3d(a, b, c, x, volume_filter)) return {*sign, Stage::filter};
   if (const auto sign = filter_orient3d_by_terms(a, b, c, x, volume_terms_filter)) return {*sign, Stage::filter};
-  return decide_exactly(Operands<X>{a, b, c, x},
-                        [](const auto& o, const auto& k) { return k.orient3d(o.a, o.b, o.c, o.x); });
+  return exact_orient3d(a, b, c, x);
 }
 
 Point3 without(Axis dropped, Point3 p) {
@@ -103,6 +108,16 @@ Sign FilteredKernel::compare_hits(const Ray& r, const Triangle& s, const Triangl
   const auto [sign, stage] =
       decide_exactly<2>(Hits{r, s, t}, [](const auto& o, const auto& k) { return k.compare_hits(o.ray, o.s, o.t); });
   return told(sign, stage);
+}
+
+Sign orient3d_exactly(const Triangle& t, const Point3& x) {
+  const auto [sign, stage] = exact_orient3d(t.a, t.b, t.c, x);
+  return sign;
+}
+
+Sign orient3d_exactly(const Triangle& t, const Direction& x) {
+  const auto [sign, stage] = exact_orient3d(t.a, t.b, t.c, x);
+  return sign;
 }
 
 }  // namespace tribunal

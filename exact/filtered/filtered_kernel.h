@@ -35,4 +35,8 @@ class FilteredKernel {
 
 static_assert(Kernel<FilteredKernel>);
 
+/// orient3d for callers whose own filter could not tell: without any, exactly.
+Sign orient3d_exactly(const Triangle& t, const Point3& x);
+Sign orient3d_exactly(const Triangle& t, const Direction& x);
+
 }  // namespace tribunal

@@ -102,6 +102,26 @@ PolygonFigures FilteredPolygon::figures() const {
   return f;
 }
 
+/// A point of the projection is a crossing with denominator 1: off by one rounding where a crossing may be off by 16,
+/// of range extent + reach, so the bounds of plane_crossing.h hold all the more. Where both ends see the same vertices
+/// below and the same crossed edges ahead, certainly, so does every point between, since each of these is the sign of a
+/// function that is affine in the point.
+std::optional<bool> FilteredPolygon::filter_between(const Segment& s) const {
+  const Vec3<Twin<double>> ends = ends_from(base_, s);
+  const Twin<double> reach = reach_of(ends), along[3] = {ends.x, ends.y, ends.z}, u = along[u_], v = along[v_];
+  const double range = larger(first(reach), second(reach)) + extent_;
+  if (!(range < crossing_bounds.huge) || first_run_.size == 0) return std::nullopt;
+  const PlaneCrossing<double> p{{first(u), first(v)}, 1}, q{{second(u), second(v)}, 1};
+  bool odd = false;
+  for (std::size_t i = 0; i <= other_runs_.size(); ++i) {
+    const RingRun& run = i == 0 ? first_run_ : other_runs_[i - 1];
+    const View from = view_of(run, p, range), to = view_of(run, q, range);
+    if (!from.certain || !to.certain || from.below != to.below || from.ahead != to.ahead) return std::nullopt;
+    odd ^= from.odd();
+  }
+  return odd;
+}
+
 /// A certain hit is in general position: inside, between the ends.
 template <class P>
 PolygonAnswer FilteredPolygon::decide(const P& probe) const {

@@ -55,27 +55,22 @@ class FilteredPolygon {
     return filtered<std::optional<bool>>(probe, [] { return std::nullopt; });
   }
 
-  /// The same of a probe that is known to run from one side of the plane to the other, strictly, however close to it.
-  /// The bounds of the point where it crosses do not ask for certain sides: plane_crossing.h takes the heights with
-  /// their errors.
-  template <class P>
-  std::optional<bool> filter_crossing(const P& probe) const {
-    const Vec3<Twin<double>> ends = ends_from(base_, probe);
-    return certain_parity<P>(ends.x, ends.y, ends.z, dot(normal_, ends), reach_of(ends));
-  }
+  /// Whether the polygon certainly covers, or certainly does not, every point of its plane that lies between the two
+  /// ends in the projection: for short segments that cross the plane at too flat an angle, or too close to it, for
+  /// doubles to say where. Then all points between see the rings as both ends do.
+  std::optional<bool> filter_between(const Segment& s) const;
 
   /// For the same filter on vector lanes (batch/polygon_lanes.h). Views this polygon, which may be moved.
   PolygonFigures figures() const;
 
  private:
-  struct Parity {
-    bool certain, odd;
+  /// Of the vertices of a run, seen from a point, a bit each: which lie below it, and which begin an edge that is
+  /// crossed ahead of it.
+  struct View {
+    bool certain;
+    std::uint64_t below, ahead;
 
-    Parity& operator+=(const Parity& more) {
-      certain &= more.certain;
-      odd ^= more.odd;
-      return *this;
-    }
+    bool odd() const { return __builtin_parityll(ahead) != 0; }
   };
 
   inline static const Vec3<Twin<double>> nowhere{{0, 0}, {0, 0}, {0, 0}};
@@ -95,7 +90,7 @@ class FilteredPolygon {
   template <class P>
   std::optional<bool> certain_parity(Twin<double> x, Twin<double> y, Twin<double> z, Twin<double> heights,
                                      Twin<double> reach) const;
-  Parity run_parity(const RingRun& run, const PlaneCrossing<double>& x, double range) const;
+  View view_of(const RingRun& run, const PlaneCrossing<double>& x, double range) const;
 
   Vec3<Twin<double>> base_ = nowhere, normal_ = nowhere;  ///< a vertex, and the plane's normal, scaled, or zero
   double extent_ = 0;                                     ///< the largest coordinate of the projected vertices
@@ -128,19 +123,21 @@ template <class P>
   if (!(range < crossing_bounds.huge)) return std::nullopt;
   const Twin<double> along[3] = {x, y, z};
   const PlaneCrossing<double> at = plane_crossing<P>(heights, Vec2<Twin<double>>{along[u_], along[v_]});
-  Parity parity{true, false};
+  bool certain = true, odd = false;
   const RingRun* run = &first_run_;
   for (std::size_t others = 0;; run = &other_runs_[others++]) {
-    parity += run_parity(*run, at, range);
+    const View view = view_of(*run, at, range);
+    certain &= view.certain;
+    odd ^= view.odd();
     if (others == other_runs_.size()) break;
   }
-  if (!parity.certain) return std::nullopt;
-  return parity.odd;
+  if (!certain) return std::nullopt;
+  return odd;
 }
 
-[[gnu::always_inline]] inline FilteredPolygon::Parity FilteredPolygon::run_parity(const RingRun& run,
-                                                                                  const PlaneCrossing<double>& x,
-                                                                                  double range) const {
+[[gnu::always_inline]] inline FilteredPolygon::View FilteredPolygon::view_of(const RingRun& run,
+                                                                             const PlaneCrossing<double>& x,
+                                                                             double range) const {
   const Twin<double> den = twice(x.den), point = twice(x.point.v);
   Twin<double> least = twice(crossing_bounds.huge);
   std::uint64_t below = 0;
@@ -152,13 +149,14 @@ template <class P>
   }
   const double vertex = crossing_bounds.vertex * range + crossing_bounds.tiny;
   const double edge = crossing_bounds.edge * range * extent_ + crossing_bounds.tiny;
-  Parity parity{both_beyond(least, twice(vertex)), false};
+  View view{both_beyond(least, twice(vertex)), below, 0};
   for (std::uint64_t crossed = (below ^ below >> 1) & run.edges; crossed != 0; crossed &= crossed - 1) {
     const auto i = static_cast<std::size_t>(std::countr_zero(crossed));
     const double side = edge_side(x, {run.u[i], run.v[i]}, {run.u[i + 1], run.v[i + 1]});
-    parity += {magnitude(side) > edge, (side > 0) == ((below >> i & 1) != 0)};
+    view.certain &= magnitude(side) > edge;
+    view.ahead |= std::uint64_t{(side > 0) == ((below >> i & 1) != 0)} << i;
   }
-  return parity;
+  return view;
 }
 
 }  // namespace tribunal

@@ -24,8 +24,7 @@ int Departures::side_of(std::uint32_t face, const X& x) {
   const KnownFace& known = faces_[face];
   if (const std::optional<Sign> side = known.plane.side(x)) return value(*side);
   if (!is_finite_target(x)) return 0;
-  const Triangle& t = known.triangle;
-  return value(FilteredKernel().orient3d(t.a, t.b, t.c, x));
+  return value(orient3d_exactly(known.triangle, x));
 }
 
 Point3 Departures::customary(const Landing& at, double side) const {

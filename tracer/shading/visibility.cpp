@@ -283,7 +283,7 @@ bool Visibility::passes_through(const Segment& way, std::uint32_t id) {
   if (!is_finite(way)) return false;
   if (sifts_ && world_.polygon_of[id] >= 0) {
     const FilteredPolygon& polygon = filtered_[static_cast<std::size_t>(world_.polygon_of[id])];
-    if (const std::optional<bool> certain = polygon.filter_crossing(way)) return *certain;
+    if (const std::optional<bool> certain = polygon.filter_between(way)) return *certain;
   }
   return is_visible_hit(ask(way, id));
 }
