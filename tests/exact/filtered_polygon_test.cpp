@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 
+#include "exact/families/draw.h"
 #include "exact/kernels/rational_kernel.h"
 #include "exact/polygon/family.h"
 #include "exact/polygon/small_scope.h"
@@ -146,6 +147,44 @@ TEST_P(ForeignPolygonEnvironment, ChangesNoAnswer) {
 
 INSTANTIATE_TEST_SUITE_P(Registers, ForeignPolygonEnvironment,
                          testing::Values(0x2000U, 0x4000U, 0x6000U, 0x8040U, 0xe040U));
+
+Point3 nearly(const Point3& p, double size, Draw& draw) {
+  const auto step = [&] { return size * (std::ldexp(static_cast<double>(draw.next() >> 11), -52) - 1); };
+  const double x = step(), y = step(), z = step();
+  return p + Point3(x, y, z);
+}
+
+/// Short segments that cross the plane within rounding of it: what the projection tells of them is true.
+TEST(FilteredPolygon, TellsOfShortSegmentsThroughThePlane) {
+  const RationalKernel exact;
+  std::size_t told = 0, crossing = 0;
+  for (const PolygonFamily& family : all_polygon_families()) {
+    for (std::uint64_t k = 0; k < 1'500; ++k) {
+      Draw draw(911, 41, k);
+      const PolygonTrial trial = family.make(Format::binary64, 43, k);
+      const std::vector<Point3>& v = trial.query.polygon.vertices;
+      const FilteredPolygon filtered(trial.query.polygon);
+      const auto any = [&] { return v[draw.below(v.size())]; };
+      const auto share = [&] { return std::ldexp(static_cast<double>(draw.next() >> 11), -53); };
+      const Point3 a = any(), at = a + share() * (any() - a) + share() * (any() - a);
+      const double size = 0x1p-48 * (std::fabs(at.x) + std::fabs(at.y) + std::fabs(at.z));
+      const Segment s{nearly(at, size, draw), nearly(at, size, draw)};
+      const auto covering = cover(trial.query.polygon, exact);
+      if (!is_finite(s) || !covering.plane) continue;
+      const Triangle& t = covering.plane->triangle;
+      const Sign from = exact.orient3d(t.a, t.b, t.c, s.p), to = exact.orient3d(t.a, t.b, t.c, s.q);
+      if (from == Sign::zero || from != -to) continue;
+      ++crossing;
+      const auto certain = filtered.filter_between(s);
+      told += certain.has_value();
+      if (certain) {
+        ASSERT_EQ(*certain, segura_feito(s, covering, exact).answer.hit) << family.name << " " << k;
+      }
+    }
+  }
+  EXPECT_GT(crossing, 500u);
+  EXPECT_GT(told, crossing / 4);
+}
 
 }  // namespace
 }  // namespace tribunal

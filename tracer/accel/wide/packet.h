@@ -19,7 +19,7 @@ inline constexpr std::size_t packet_size = 8;
 struct ProbePacket {
   alignas(64) double source[3][packet_size] = {}, target[3][packet_size] = {};
   alignas(64) double apart[2][packet_size] = {};  ///< ids of faces that do not matter to the probe
-  unsigned lanes = 0;                          ///< where a probe is, a bit each
+  unsigned lanes = 0;                             ///< where a probe is, a bit each
 
   void set(std::size_t lane, const Point3& from, const Point3& to, std::uint32_t face, std::uint32_t other) {
     for (int i = 0; i < 3; ++i) source[i][lane] = from[i], target[i][lane] = to[i];
@@ -29,8 +29,8 @@ struct ProbePacket {
   }
 };
 
-/// What a walk found. A lane that is not `known` met a face of which doubles cannot tell, or two hits that are too close
-/// to order, or its probe is not finite or beyond what the boxes' binary32 can hold: it is to be asked alone.
+/// What a walk found. A lane that is not `known` met a face of which doubles cannot tell, or two hits that are too
+/// close to order, or its probe is not finite or beyond what the boxes' binary32 can hold: it is to be asked alone.
 struct PacketAnswer {
   unsigned known = 0;                          ///< lanes whose answer is certain
   unsigned hit = 0;                            ///< of these: whose probe hits a face

@@ -179,18 +179,25 @@ class PacketSieve {
                         -v.sides.toward,
                         bound,
                         bound};
-    if (HWY_UNLIKELY((asked & ~(verdict.missed | verdict.hit)) != 0)) ask_again(t, source, target, verdict);
+    const unsigned unsure = asked & ~(verdict.missed | verdict.hit);
+    if (HWY_UNLIKELY(unsure != 0)) {
+      const auto [missed, hit] = missed_and_hit_by_terms<P>({source, target}, t);
+      verdict.missed |= missed;
+      verdict.hit |= hit;
+    }
+    if constexpr (std::is_same_v<P, Ray>) {
+      const Lanes far = bound * Lanes(0x1p20);
+      const unsigned near = ((magnitude(verdict.num) < far) | (magnitude(verdict.den) < far)).bits();
+      if (HWY_UNLIKELY((verdict.hit & asked & near) != 0)) come_closer(t, source, target, verdict);
+    }
     return verdict;
   }
 
-  /// Of the second filter, with closer bounds of where hits are.
-  HWY_INLINE void ask_again(const LiftedTriangle<Lanes>& t, const Vec3<Lanes>& source, const Vec3<Lanes>& target,
-                            LaneVerdict& verdict) const {
-    const auto [missed, hit] = missed_and_hit_by_terms<P>({source, target}, t);
-    verdict.missed |= missed;
-    verdict.hit |= hit;
+  /// The second filter's bounds of where hits are, which stay close where the triangle is small and far away.
+  HWY_INLINE void come_closer(const LiftedTriangle<Lanes>& t, const Vec3<Lanes>& source, const Vec3<Lanes>& direction,
+                              LaneVerdict& verdict) const {
     const Vec3<Lanes> u = t.b - t.a, v = t.c - t.a;
-    const Expansion<Lanes> height = expanded(u, v, source - t.a), gain = expanded(u, v, target);
+    const Expansion<Lanes> height = expanded(u, v, source - t.a), gain = expanded(u, v, direction);
     const Lanes k(volume_terms_filter.k), tiny(volume_terms_filter.tiny);
     verdict.num = height.value;
     verdict.den = -gain.value;
@@ -225,7 +232,8 @@ class ClosestLanes {
     const Lanes least = lowered(Lanes((n - v.num_bound) / (d + v.den_bound)));
     const Lanes greatest = raised(Lanes((n + v.num_bound) / (d - v.den_bound)));
     const LaneMask closer = greatest<Lanes::load(least_ + c), farther = least> Lanes::load(greatest_ + c);
-    const unsigned ahead = v.hit & closer.bits(), apart = ahead | farther.bits();
+    const unsigned bounded = (d > v.den_bound).bits();
+    const unsigned ahead = v.hit & bounded & closer.bits(), apart = ahead | (bounded & farther.bits());
     if ((v.hit & ~apart) != 0) state_.drop((v.hit & ~apart) << c);
     if (ahead == 0) return;
     state_.answer.hit |= ahead << c;

@@ -15,7 +15,7 @@ inline constexpr BoxTag box_tag;
 inline constexpr std::size_t double_lanes = HWY_LANES(double), double_chunks = packet_size / double_lanes;
 
 /// The constants of WideProbe, a probe a lane, computed by the same operations, so that its proof holds for them. A
-/// lane whose start or scale is out of range is not `held`.
+/// lane whose probe is not finite, or its start or scale out of range, is not `held`.
 struct PacketProbe {
   struct Axis {
     alignas(64) float r[packet_size], near_c[packet_size], far_c[packet_size];
@@ -49,9 +49,10 @@ struct PacketProbe {
   HWY_INLINE void set(const ProbePacket& p, const Frame& frame, std::size_t k) {
     const Bits bits;
     const Halves halves;
-    Vector d[3], s[3];
+    Vector d[3], s[3], sum = hn::Zero(tag);
     for (int i = 0; i < 3; ++i) {
       const Vector o = hn::Load(tag, p.source[i] + k), to = hn::Load(tag, p.target[i] + k);
+      sum = hn::Add(sum, hn::Add(hn::Abs(o), hn::Abs(to)));
       d[i] = std::is_same_v<P, Segment> ? hn::Sub(to, o) : to;
       s[i] = hn::Mul(hn::Set(tag, frame.unit), hn::Sub(o, hn::Set(tag, frame.centre[i])));
     }
@@ -62,7 +63,8 @@ struct PacketProbe {
     const Vector scales = hn::Mul(hn::Set(tag, frame.unit), power);
     const LaneMask held_here = (Lanes(power) >= Lanes(0x1p-900)) & (Lanes(power) <= Lanes(0x1p900)) &
                                (Lanes(scales) >= Lanes(0x1p-1000)) & (Lanes(scales) <= Lanes(0x1p1000)) &
-                               (Lanes(start) <= Lanes(farthest_start));
+                               (Lanes(start) <= Lanes(farthest_start)) &
+                               (Lanes(sum) <= Lanes(std::numeric_limits<double>::max()));
     held |= held_here.bits() << k;
     hn::Store(scales, tag, scale + k);
     const Vector widening =

@@ -1,0 +1,184 @@
+// Questions asked eight at a time against the same asked one by one of every face.
+#include <functional>
+
+#include "exact/filtered/batch.h"
+#include "exact/polygon/family.h"
+#include "tests/tracer/nasty_scenes.h"
+#include "tracer/scene/read_scene.h"
+#include "tracer/shading/visibility.h"
+
+namespace tribunal {
+namespace {
+
+using testing::aimed;
+using testing::method;
+using testing::nasty_scene;
+using testing::Random;
+using testing::Worlds;
+
+class Packets : public ::testing::TestWithParam<std::string_view> {
+ protected:
+  void SetUp() override { force_batch_target(GetParam()); }
+  void TearDown() override { force_batch_target({}); }
+};
+
+INSTANTIATE_TEST_SUITE_P(Targets, Packets, ::testing::ValuesIn(batch_targets()), [](const auto& target) {
+  return std::string(target.param == "AVX-512" ? "AVX512" : target.param);
+});
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Aimed at weak points; now and then along nothing, from nowhere, or farther than binary32 reaches.
+Ray any_ray(Random& random, const BoxedFaces& faces) {
+  Ray ray = aimed(random, faces);
+  switch (random.below(16)) {
+    case 0:
+      return {ray.o, {{0, -0.0, 0}}};
+    case 1:
+      return {ray.o, {{infinity, 0, 1}}};
+    case 2:
+      return {{0, std::nan(""), 0}, ray.d};
+    case 3:
+      return {ray.o + Point3(0x1p70, 0, 0), ray.d};
+    case 4:
+      return {ray.o, {0x1p-1000 * ray.d.v}};
+    default:
+      return ray;
+  }
+}
+
+/// Spans of all lengths, so that the last packet is not always full.
+template <class Question>
+void in_spans(Random& random, std::vector<Question>& questions, const std::function<void(std::span<Question>)>& ask) {
+  for (std::size_t from = 0; from < questions.size();) {
+    const std::size_t count = std::min(1 + random.below(40), questions.size() - from);
+    ask(std::span(questions).subspan(from, count));
+    from += count;
+  }
+}
+
+/// Answers on the lanes against those of another exact method that asks every face.
+void compare(const Scene& scene, std::uint64_t seed, int count) {
+  const Worlds w(scene);
+  RayTally tally, uncounted;
+  Visibility brute(w.none, method("sf-epeck"), uncounted), lanes(w.bvh, method("sf-filtered"), tally);
+  Random random(seed);
+  const auto any_face = [&] { return static_cast<std::uint32_t>(random.below(w.none.triangles.size())); };
+  std::vector<RayQuestion> rays;
+  std::vector<SegmentQuestion> ways, starts;
+  for (int i = 0; i < count; ++i) {
+    const Ray ray = any_ray(random, w.none.triangles);
+    const Segment way{ray.o, ray.o + 2.0 * ray.d.v};
+    rays.push_back({ray});
+    ways.push_back({way});
+    starts.push_back({way, {any_face(), any_face()}});
+  }
+  in_spans<RayQuestion>(random, rays, [&](auto some) { lanes.first_hits(some); });
+  in_spans<SegmentQuestion>(random, ways, [&](auto some) { lanes.blocked(some); });
+  in_spans<SegmentQuestion>(random, starts, [&](auto some) { lanes.met(some); });
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    ASSERT_EQ(rays[i].face, brute.first_hit(rays[i].ray)) << "seed " << seed << " ray " << i;
+    ASSERT_EQ(ways[i].met, brute.is_blocked(ways[i].way)) << "seed " << seed << " way " << i;
+    ASSERT_EQ(starts[i].met, brute.meets_any(starts[i].way, starts[i].apart)) << "seed " << seed << " start " << i;
+  }
+}
+
+TEST_P(Packets, SeeWhatBruteForceSees) {
+  for (std::uint64_t seed = 0; seed < 8; ++seed) compare(nasty_scene(seed), seed + 500, 400);
+}
+
+TEST_P(Packets, SeePolygonsAsBruteForceDoes) {
+  for (const char* name : {"paper-2a", "paper-2d", "paper-2g"}) {
+    compare(read_scene("data/scenes/" + std::string(name) + ".json"), 31, 800);
+  }
+}
+
+/// What the lanes alone tell.
+PacketAnswer first_hits(const World& world, const std::vector<PolygonFigures>& figures, const std::vector<Ray>& rays,
+                        std::size_t from) {
+  ProbePacket packet;
+  for (std::size_t lane = 0; lane < packet_size; ++lane) {
+    packet.set(lane, rays[from + lane].o, rays[from + lane].d.v, no_face, no_face);
+  }
+  PacketAnswer answer;
+  packet_target().first_hits({*world.triangles.tree(), world.polygon_of, figures}, packet, answer);
+  return answer;
+}
+
+/// In general position the lanes must tell all by themselves, from near and from far, where it takes the second filter.
+TEST_P(Packets, GeneralPositionIsTheLanes) {
+  for (const double distance : {4.0, 4096.0}) {
+    const Scene scene = read_scene("data/scenes/elephant.json");
+    const World world = make_world(scene, Format::binary64, Accel::bvh);
+    std::vector<FilteredPolygon> polygons;
+    std::vector<PolygonFigures> figures;
+    for (const PolygonData& p : world.polygons) polygons.emplace_back(p);
+    for (const FilteredPolygon& p : polygons) figures.push_back(p.figures());
+    Random random(3);
+    std::vector<Ray> rays;
+    for (int i = 0; i < 4000; ++i) {
+      const Triangle t = world.triangles[static_cast<std::uint32_t>(random.below(world.triangles.size()))];
+      const Point3 o = distance * random.point(1);
+      rays.push_back({o, {t.a + 0.3 * (t.b - t.a) + 0.3 * (t.c - t.a) - o}});
+    }
+    std::size_t known = 0, hit = 0;
+    for (std::size_t from = 0; from < rays.size(); from += packet_size) {
+      const PacketAnswer a = first_hits(world, figures, rays, from);
+      known += static_cast<std::size_t>(std::popcount(a.known));
+      hit += static_cast<std::size_t>(std::popcount(a.known & a.hit));
+    }
+    EXPECT_GT(known, 3950u) << "from " << distance;
+    EXPECT_GT(hit, 3900u) << "from " << distance;
+  }
+}
+
+/// Two faces at the same place, or so close that doubles cannot order them: nothing is told.
+TEST_P(Packets, DoNotOrderWhatIsTooClose) {
+  Scene scene;
+  Solid s;
+  const double up = 0x1p-50;
+  s.mesh.vertices = {{-4, -4, 0}, {4, -4, 0}, {0, 4, 0}, {-4, -4, up}, {4, -4, up}, {0, 4, up}};
+  s.mesh.triangles = {{0, 1, 2}, {3, 4, 5}};
+  scene.solids = {s};
+  const World world = make_world(scene, Format::binary64, Accel::bvh);
+  std::vector<Ray> rays(packet_size, Ray{{0.1, 0.2, 9}, {{0.01, 0.02, -3}}});
+  EXPECT_EQ(first_hits(world, {}, rays, 0).known, 0u);
+  RayTally tally;
+  std::vector<RayQuestion> questions(packet_size, RayQuestion{rays[0]});
+  Visibility(world, method("sf-filtered"), tally).first_hits(questions);
+  for (const RayQuestion& q : questions) EXPECT_EQ(q.face, 1u);
+}
+
+/// One polygon and eight probes at it, of the families that exist to be difficult.
+TEST_P(Packets, JudgePolygonsAsTheCoveringTest) {
+  const Method& exact = method("sf-rational");
+  std::size_t known = 0, certain = 0;
+  for (const PolygonFamily& family : all_polygon_families()) {
+    for (std::uint64_t k = 0; k < 400; ++k) {
+      const PolygonTrial trial = family.make(Format::binary64, 29, k);
+      const PolygonData& polygon = trial.query.polygon;
+      const WideTree tree(1, [&](std::uint32_t) { return Primitive{box_of(Polygon(polygon)), {}}; });
+      const FilteredPolygon filtered(polygon);
+      const std::vector<PolygonFigures> figures{filtered.figures()};
+      const std::vector<std::int32_t> polygon_of{0};
+      ProbePacket packet;
+      const Segment* const s = std::get_if<Segment>(&trial.query.probe);
+      const Ray* const r = std::get_if<Ray>(&trial.query.probe);
+      for (std::size_t lane = 0; lane < packet_size; ++lane) {
+        packet.set(lane, s ? s->p : r->o, s ? s->q : r->d.v, no_face, no_face);
+      }
+      PacketAnswer a;
+      (s ? packet_target().any_hits : packet_target().first_hits)({tree, polygon_of, figures}, packet, a);
+      certain += (s ? filtered.filter_hits(*s) : filtered.filter_hits(*r)).has_value();
+      known += a.known == (1U << packet_size) - 1;
+      if (a.known == 0) continue;
+      const bool hit = exact.ask(trial.query).answer.hit;
+      ASSERT_EQ(a.known & a.hit, hit ? a.known : 0) << family.name << " " << k;
+    }
+  }
+  EXPECT_GT(certain, 200u);
+  EXPECT_GE(known, certain - certain / 50) << "the lanes tell where the same filter tells of one probe";
+}
+
+}  // namespace
+}  // namespace tribunal
