@@ -6,6 +6,7 @@ cd "$SOURCE_DIR"
 expect 0 render data/scenes/elephant.json --method mt-float --against sf-rational -o "$scratch/a.png" --stats "$scratch/a.json" --threads 2
 [ -s "$scratch/a.png" ] && [ -s "$scratch/a.diff.png" ] && [ -s "$scratch/a.cases.jsonl" ]
 grep -q '"triangle_tests"' "$scratch/a.json"
+says out '2 solids, ' && says out ': 1 of 2 solids'
 expect 1 replay "$scratch/a.cases.jsonl"
 differing=$(wc -l <"$scratch/a.cases.jsonl")
 wrong=$(grep -c '^  mt-float .*WRONG' "$scratch/out")
@@ -43,6 +44,8 @@ clash --export-pov --stats --export-pov "$scratch/b.pov" --stats "$scratch/b.pov
 expect 0 render data/scenes/paper-2a.json --method sf-double --against sf-float --heat -o "$scratch/b.png" --export-pov "$scratch/b.pov" --stats "$scratch/b.json"
 for file in b.png b.tests.png b.stages.png b.diff.png b.cases.jsonl b.pov b.ids.png b.json; do says out "/$file" && [ -e "$scratch/$file" ]; done
 rm "$scratch"/b.*
+echo '{"camera":{"eye":[0,0,9],"look_at":[0,0,0],"up":[0,1,0],"fov":40,"width":9,"height":9},"solids":[{"solid":"'"$SOURCE_DIR"'/data/solids/gear.json"}]}' >"$scratch/gear.json"
+expect 0 render "$scratch/gear.json" --method sf-double -o "$scratch/gear.png" && says out ', 1 solid, ' && says out ': 1 of 1 solid'
 
 
 expect 3 render no/such/scene.json --method sf-double -o "$scratch/b.png"

@@ -141,13 +141,16 @@ std::string formatted(const char* format, auto... values) {
 
 unsigned long long whole(std::uint64_t n) { return n; }
 
+/// "1 solid", "2 solids".
+std::string counted(std::size_t n, const char* what) { return std::to_string(n) + " " + what + (n == 1 ? "" : "s"); }
+
 std::string describe(const World& world, const Options& o, int depth) {
   const Camera& c = world.scene->camera;
   const std::size_t polygons = world.polygons.size();
   std::string text =
-      formatted("%s: %d x %d pixels, %zu solids, %zu triangles, %zu polygons, %zu lights, depth %d, accel %s\n",
-                o.scene.c_str(), c.width, c.height, world.scene->solids.size(), world.triangles.size() - polygons,
-                polygons, world.scene->lights.size(), depth, o.accel.c_str());
+      o.scene + formatted(": %d x %d pixels, ", c.width, c.height) + counted(world.scene->solids.size(), "solid") +
+      ", " + counted(world.triangles.size() - polygons, "triangle") + ", " + counted(polygons, "polygon") + ", " +
+      counted(world.scene->lights.size(), "light") + formatted(", depth %d, accel %s\n", depth, o.accel.c_str());
   if (world.format == Format::binary32) {
     text += "vertices and rays are rounded to binary32 before any method sees them: differences are the methods' own\n";
   }
@@ -160,17 +163,15 @@ std::string describe_solids(const Scene& scene, const std::vector<Topology>& top
   std::string text;
   std::size_t sound = 0, others = 0;
   for (std::size_t i = 0; i < scene.solids.size(); ++i) {
-    const std::string said = describe(topologies[i]);
-    if (said == "closed, oriented") {
+    if (topologies[i].sound()) {
       ++sound;
     } else if (++others <= most) {
-      text += scene.solids[i].name + ": " + said + "\n";
+      text += scene.solids[i].name + ": " + describe(topologies[i]) + "\n";
     }
   }
-  if (others > most) text += formatted("and %zu solids more, see --stats\n", others - most);
-  return formatted("%zu of %zu solids are closed, oriented and manifold along their edges\n", sound,
-                   scene.solids.size()) +
-         text;
+  if (others > most) text += "and " + counted(others - most, "solid") + " more, see --stats\n";
+  return formatted("closed, oriented outwards, manifold along all edges: %zu of ", sound) +
+         counted(scene.solids.size(), "solid") + "\n" + text;
 }
 
 Json to_json(const Solid& solid, const Topology& t) {
