@@ -11,23 +11,14 @@ says out 'constructions 774/774' && says one/summary.json 'comb / outer corner /
 expect 1 "${plan[@]}" --threads 2 --out two
 expect 1 "${plan[@]}" --threads 7 --out seven
 diff -r one two && diff -r one seven
-interrupted=0
-for threads in 1 2 7 2 1 2 7 2 1 2; do
-  timeout --foreground --preserve-status -s INT 1 "$TRIBUNAL" "${plan[@]}" --threads "$threads" --out parts --resume >out 2>err && status=0 || status=$?
-  [ "$status" -ne 1 ] || break
-  [ "$status" -eq 130 ] && says out 'INTERRUPTED' && [ ! -e parts/summary.json ] || { cat err; exit 1; }
-  [ -e other ] || cp -r parts other
-  interrupted=$((interrupted + 1))
-done
-[ "$interrupted" -gt 0 ] || { echo "never interrupted" >&2; exit 1; }
-[ ! -e parts/summary.json ] && expect 1 "${plan[@]}" --out parts --resume
+interrupt_and_resume "${plan[@]}"
 diff -r one parts
 sha256sum one/summary.json two/summary.json seven/summary.json parts/summary.json
-expect 2 fuzz --family polygon-affine --method sf-float --seed 3 --count 12000 --out other --resume && says err 'other methods, families, seed or count'
-expect 2 fuzz --method sf-float --seed 3 --count 12000 --out other --resume && says err 'other methods, families, seed or count'
-expect 2 "${plan[@]}" --out other && says err 'is of an interrupted run'
-sed -i '3s/[0-9]/7/3' other/checkpoint.jsonl
-expect 3 "${plan[@]}" --out other --resume && says err 'checkpoint.jsonl:3:'
+expect 2 fuzz --family polygon-affine --method sf-float --seed 3 --count 12000 --out first-part --resume && says err 'other methods, families, seed or count'
+expect 2 fuzz --method sf-float --seed 3 --count 12000 --out first-part --resume && says err 'other methods, families, seed or count'
+expect 2 "${plan[@]}" --out first-part && says err 'is of an interrupted run'
+sed -i '3s/[0-9]/7/3' first-part/checkpoint.jsonl
+expect 3 "${plan[@]}" --out first-part --resume && says err 'checkpoint.jsonl:3:'
 
 # Findings carry every method's answer and replay to the same verdict; shrink leaves them as they are.
 says one/counterexamples.jsonl '"answers":{"sf-float":' && says one/counterexamples.jsonl '"made_with":{"program"'
@@ -57,6 +48,7 @@ expect 1 judge --cases cases.jsonl --answers answers.jsonl --out judged --thread
 says out 'sf-rational: not refuted' && says out 'sf-float: refuted' && says out 'outcomes 9/9'
 expect 0 verify judged/1-sf-rational && expect 0 verify judged/2-sf-float
 expect 1 replay judged/2-sf-float/counterexamples.jsonl
+/usr/bin/python3 "$SOURCE_DIR/docs/check_polygon_counterexample.py" judged/2-sf-float/counterexamples.jsonl
 head -n 1 answers.jsonl >few.jsonl
 expect 3 judge --cases cases.jsonl --answers few.jsonl && says err 'are missing'
 expect 2 cases --family polygon-affine --count 2500001 --out x && says err 'at most 2500000 polygons'
