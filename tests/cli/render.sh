@@ -52,6 +52,7 @@ expect 3 render no/such/scene.json --method sf-double -o "$scratch/b.png"
 [ ! -e "$scratch/b.png" ]
 expect 2 render data/scenes/cube-grid.json --method sf-double --accel octree -o "$scratch/b.png"
 expect 5 render data/scenes/cube-grid.json --method sf-double -o /dev/full
+expect 2 render data/scenes/cube-grid.json --method sf-double -o /dev/full --heat && says err 'ends in .png'
 
 # What cannot be written is said before the work; polygon tests draw scenes without triangles.
 for name in b.jpg b -; do expect 2 render data/scenes/cube-grid.json --method sf-double -o "$scratch/$name" && says err 'ends in .png'; done

@@ -256,9 +256,10 @@ std::vector<Output> outputs_of(const Options& o) {
   return all;
 }
 
-/// Found before the work is done, not after.
+/// Found before the work is done, not after. A device may stand for a picture from which no other file takes its name.
 void require_writable(const Options& o, const std::vector<Output>& outputs) {
-  if (std::filesystem::path(o.out).extension() != ".png" && !is_special(o.out)) {
+  const bool names_others = o.heat || !o.against.empty();
+  if (std::filesystem::path(o.out).extension() != ".png" && (names_others || !is_special(o.out))) {
     throw Failure(Exit::usage, "-o: expected a name that ends in .png, found \"" + o.out + "\"");
   }
   require_distinct(outputs);
