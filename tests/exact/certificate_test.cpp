@@ -90,6 +90,12 @@ TEST_F(CertificateTest, RefutesDoubleAndSaysWhy) {
   for (const Gap& gap : c.gaps) EXPECT_TRUE(gap.explained) << gap.what;
   EXPECT_TRUE(verify(directory_).faults.empty());
   EXPECT_EQ(verify(directory_).confirmed, c.counterexamples.size());
+
+  const std::string& set = c.proved[0].name;
+  EXPECT_NE(to_summary(c).find("  proved   " + set + ": 0 wrong of 93888"), std::string::npos);
+  Certificate wrong_in_set = c;
+  wrong_in_set.proved[0].count.wrong = 896;
+  EXPECT_NE(to_summary(wrong_in_set).find("  refuted  " + set + ": 896 wrong of 93888"), std::string::npos);
 }
 
 /// It refutes by itself, and leaves the sample and its bounds as they are without it.
