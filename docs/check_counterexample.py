@@ -33,7 +33,6 @@ def meet(generators, points):
     return any(depends([generators[i] for i in s], s, points) for s in subsets)
 
 def check(case):
-    if "tri" not in case: return False  # a polygon: not for this script
     a, b, c = ([number(x) for x in v] for v in case["tri"])
     p, q = ([number(x) for x in v] for v in (case["seg"] if "seg" in case else (case["ray"]["o"], case["ray"]["d"])))
     near = det(sub(b, a), sub(c, a), sub(p, a))
@@ -51,8 +50,29 @@ def check(case):
     due = int(hit and not (coplanar and finding.get("convention") == "transversal"))
     return finding["exact"] == exact and case["expect"] == hit and finding["expected"] == due != finding["answered"]
 
-if __name__ == "__main__":
-    cases = [json.loads(line) for line in open(sys.argv[1])] if len(sys.argv) == 2 else sys.exit(__doc__)
+def to_case(line):
+    case = json.loads(line)
+    if isinstance(case, dict) and "id" in case and case.keys() & {"seg", "ray"} and case.keys() & {"tri", "rings"}:
+        return case
+    raise ValueError("expected a case, with id, seg or ray, tri or rings")
+
+def read_cases(path):
+    """All cases of a file; or the end, with one line that says why."""
+    cases, number = [], 0
+    try:
+        for number, line in enumerate(open(path, encoding="utf-8"), 1):
+            if line.strip(): cases.append(to_case(line))
+    except OSError as error: sys.exit(f"{path}: cannot read: {error.strerror}")
+    except ValueError as error: sys.exit(f"{path}:{number}: {error}")
+    return cases or sys.exit(f"{path}: holds no cases")
+
+def report(cases, check):
     failed = [case["id"] for case in cases if not check(case)]
-    print(f"{len(cases) - len(failed)} of {len(cases)} counterexamples confirmed", *failed, sep="\n  ")
-    sys.exit(bool(failed) or not cases)
+    print(f"{len(cases) - len(failed)} of {len(cases)} cases confirmed", *failed, sep="\n  ")
+    sys.exit(bool(failed))
+
+if __name__ == "__main__":
+    cases = read_cases(sys.argv[1]) if len(sys.argv) == 2 else sys.exit(__doc__)
+    rings = sum("rings" in case for case in cases)
+    if rings: sys.exit(f"{sys.argv[1]}: {rings} of {len(cases)} cases have rings: ask check_polygon_counterexample.py")
+    report(cases, check)

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Draws an exported scene with POV-Ray and compares which solid each pixel shows.
 
-    docs/compare_silhouettes.py SCENE.pov [POVRAY]
+    python3 docs/compare_silhouettes.py SCENE.pov [POVRAY]
 
+Needs POV-Ray 3.7 and matplotlib (Debian: povray, python3-matplotlib).
 SCENE.ids.png, written beside the scene by `render --export-pov`, holds the method's answers. Prints each pixel that
 differs with both answers (at most 20) and their number; fails if more than one pixel in a thousand differs.
 """
@@ -10,11 +11,17 @@ import subprocess
 import sys
 import tempfile
 
-import matplotlib.image
+try:
+    import matplotlib.image
+except ImportError:
+    sys.exit("compare_silhouettes.py: no module matplotlib (Debian: python3-matplotlib)")
 
 
 def levels(path):
-    picture = matplotlib.image.imread(path)
+    try:
+        picture = matplotlib.image.imread(path)
+    except OSError as error:
+        sys.exit(f"{path}: cannot read: {error.strerror}")
     grey = picture if picture.ndim == 2 else picture[:, :, 0]
     return (grey * 255).round().astype(int)
 
@@ -24,13 +31,20 @@ def name(level):
 
 
 def main():
+    if len(sys.argv) not in (2, 3):
+        sys.exit(__doc__)
     scene, povray = sys.argv[1], sys.argv[2] if len(sys.argv) > 2 else "povray"
     ours = levels(scene.removesuffix(".pov") + ".ids.png")
     height, width = ours.shape
     with tempfile.TemporaryDirectory() as scratch:
         picture = scratch + "/ids.png"
-        subprocess.run([povray, f"+I{scene}", f"+O{picture}", f"+W{width}", f"+H{height}", "+FN8", "-D", "-A", "+WT1",
-                        "File_Gamma=1.0", "Declare=Ids=1"], check=True, capture_output=True)
+        try:
+            subprocess.run([povray, f"+I{scene}", f"+O{picture}", f"+W{width}", f"+H{height}", "+FN8", "-D", "-A",
+                            "+WT1", "File_Gamma=1.0", "Declare=Ids=1"], check=True, capture_output=True)
+        except OSError as error:
+            sys.exit(f"{povray}: cannot run: {error.strerror} (Debian: povray)")
+        except subprocess.CalledProcessError as error:
+            sys.exit(f"{povray} failed on {scene}: exit code {error.returncode}")
         theirs = levels(picture)
     differing = [(x, y) for y in range(height) for x in range(width) if ours[y, x] != theirs[y, x]]
     for x, y in differing[:20]:

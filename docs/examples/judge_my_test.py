@@ -7,7 +7,7 @@
 
 Put your own test in place of `meets`. With --exact the same lines compute with fractions, and `judge` finds nothing
 wrong with them, as long as the triangle has an area and the segment is not in its plane: elsewhere this test has no
-opinion, and says so."""
+opinion, and says so; of rays and polygons it knows nothing, and says that too."""
 import json
 import sys
 from fractions import Fraction
@@ -42,7 +42,7 @@ def meets(p, q, a, b, c):
 
 def answer(case, arithmetic):
     line = {"id": case["id"], "method": "mine-" + arithmetic.__name__.lower()}
-    if "seg" not in case:
+    if "seg" not in case or "tri" not in case:
         return line | {"status": "unsupported"}
     points = [[arithmetic(number(x)) for x in point] for point in case["seg"] + case["tri"]]
     hit = meets(*points)
@@ -53,6 +53,9 @@ if __name__ == "__main__":
     files = [word for word in sys.argv[1:] if word != "--exact"]
     if len(files) != 1:
         sys.exit(__doc__)
-    for text in open(files[0], encoding="utf-8"):
-        if text.strip():
-            print(json.dumps(answer(json.loads(text), Fraction if "--exact" in sys.argv else float)))
+    try:
+        for text in open(files[0], encoding="utf-8"):
+            if text.strip():
+                print(json.dumps(answer(json.loads(text), Fraction if "--exact" in sys.argv else float)))
+    except OSError as error:
+        sys.exit(f"{files[0]}: cannot read: {error.strerror}")

@@ -77,7 +77,7 @@ void read(Certificate& c, const Json& r, const Where& where) {
   }
 }
 
-/// Slots tell triangles and polygons of one family name ("your own cases") apart.
+/// Slots tell triangles and polygons of one family name (one's own cases) apart.
 bool belongs(const SampleRow& row, const SampledStream& stream) {
   return row.family == stream.family && row.format == stream.format;
 }
@@ -178,16 +178,28 @@ void add_calibration_gaps(Certificate& c) {
 }
 
 void add_set_gaps(Certificate& c) {
-  if (c.sampled().judged() == 0) c.gaps.push_back({"sample", "the method answered none of it", false});
+  const bool of_a_file = c.proved.empty() && c.has_own();  // what judge writes: nothing else is due
+  if (!of_a_file && c.sampled().judged() == 0) c.gaps.push_back({"sample", "the method answered none of it", false});
+  if (c.has_own() && c.own().judged() == 0) {
+    c.gaps.push_back({own_cases, "the method answered none of them", !of_a_file});
+  }
   for (const ProvedSet& s : c.proved) {
     if (!s.complete || s.count.asked != s.size) c.gaps.push_back({s.name, "the set was not run whole", false});
     if (s.count.judged() == 0) c.gaps.push_back({s.name, "the method answered none of it", false});
   }
 }
 
+Count total_of_rows(const std::vector<SampleRow>& rows, bool own) {
+  Count total;
+  for (const SampleRow& row : rows) {
+    if ((row.family == own_cases) == own) total += total_of(row);
+  }
+  return total;
+}
+
 Verdict verdict_of(const Certificate& c) {
   const bool wrong_in_set = std::ranges::any_of(c.proved, [](const ProvedSet& s) { return s.count.wrong > 0; });
-  if (wrong_in_set || c.sampled().wrong > 0) return Verdict::refuted;
+  if (wrong_in_set || c.sampled().wrong > 0 || c.own().wrong > 0) return Verdict::refuted;
   const bool hole = std::ranges::any_of(c.gaps, [](const Gap& g) { return !g.explained; });
   return hole ? Verdict::incomplete : Verdict::not_refuted;
 }
@@ -201,11 +213,17 @@ std::string name_of(Verdict v) {
 
 Operands Certificate::operands() const { return plan.contains("operands") ? Operands::polygons : Operands::triangles; }
 
-Count Certificate::sampled() const {
-  Count total;
-  for (const SampleRow& row : rows) total += total_of(row);
-  return total;
+std::size_t Certificate::sampled_strata() const {
+  return static_cast<std::size_t>(std::ranges::count_if(strata, [this](const Stratum& s) { return !is_own(s); }));
 }
+
+bool Certificate::has_own() const {
+  return std::ranges::any_of(streams, [](const SampledStream& s) { return s.is_own(); });
+}
+
+Count Certificate::sampled() const { return total_of_rows(rows, false); }
+
+Count Certificate::own() const { return total_of_rows(rows, true); }
 
 Certificate certificate_from(const LogRecords& log, const std::string& path) {
   Certificate c{};

@@ -22,7 +22,10 @@ struct ProvedSet {
   Count count{};
 };
 
-/// One sampled sequence of cases, as its family describes it.
+/// The family under which the cases of a user's file are logged. They are no sample of anything.
+inline constexpr const char* own_cases = "your own cases";
+
+/// One sampled sequence of cases, as its family describes it; or one's own cases of one format.
 struct SampledStream {
   std::string family;
   Format format = Format::binary64;
@@ -31,10 +34,12 @@ struct SampledStream {
   bool taken = true;             ///< false: the operands do not fit the method's format
   std::uint64_t cases = 0;       ///< drawn, so the counts of every method that takes them must add up to this
   Operands operands = Operands::triangles;
+
+  bool is_own() const { return family == own_cases; }
 };
 
-/// One sampled stratum: class, construction or outcome × stream. The bounds are about cases of this generator under
-/// this seed.
+/// One stratum: class, construction or outcome × stream. Of a sampled stream there are bounds, about cases of this
+/// generator under this seed; of one's own cases there are none.
 struct Stratum {
   std::size_t stream;
   Slot slot;
@@ -70,7 +75,11 @@ struct Certificate {
 
   std::string method() const { return plan.at("method"); }
   Operands operands() const;  ///< that the plan is about
-  Count sampled() const;
+  bool is_own(const Stratum& s) const { return streams[s.stream].is_own(); }
+  std::size_t sampled_strata() const;  ///< which share the simultaneous bounds
+  bool has_own() const;
+  Count sampled() const;  ///< without one's own cases
+  Count own() const;      ///< one's own cases
 };
 
 /// Fails with Exit::bad_input, naming the line of `path`, if a record is not as it must be.

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <map>
 
+#include "exact/certificate/certificate.h"
 #include "exact/certificate/small_scope.h"
 #include "exact/classes/class_table.h"
 #include "exact/harness/counterexample.h"
@@ -202,7 +203,7 @@ void log_own_cases(ChainedLog& log, const Method& method, const std::vector<type
                    const std::vector<typename On::Truth>& truths,
                    const std::function<typename On::Answer(std::size_t)>& answer) {
   for (const Format format : {Format::binary64, Format::binary32}) {
-    SampleRow row{.method = method.name, .family = "your own cases", .format = format};
+    SampleRow row{.method = method.name, .family = own_cases, .format = format};
     std::vector<typename On::Case> wrong;
     for (std::size_t i = 0; i < cases.size(); ++i) {
       if (cases[i].format != format) continue;

@@ -33,7 +33,7 @@ struct BasicCertifyPlan {
   std::uint64_t seed = 1;
   unsigned threads = 1;
   std::vector<BasicStream<On>> streams = {};    ///< none: all of them
-  std::vector<typename On::Case> cases = {};    ///< the user's own cases, judged and reported with the rest
+  std::vector<typename On::Case> cases = {};    ///< the user's own cases, judged and reported beside the rest
   std::vector<typename On::Truth> truths = {};  ///< their exact answers
 };
 

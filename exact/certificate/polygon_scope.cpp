@@ -28,8 +28,8 @@ void ask_polygon(const Method& method, const std::vector<Cells>& rings, std::uin
                  Part& part) {
   const PolygonData& polygon = scope.place(rings);
   const PreparedPolygon prepared = method.polygon(polygon);
-  scope.visit_cases(rings, number, [&](const Segment& s, Contact due) {
-    part.add(method, {due, true}, prepared.segment(s), [&] { return PolygonQuery{s, polygon}; });
+  scope.visit_cases(rings, number, [&](const Segment& s, Contact due, bool boundary) {
+    part.add(method, {due, true, boundary}, prepared.segment(s), [&] { return PolygonQuery{s, polygon}; });
   });
 }
 

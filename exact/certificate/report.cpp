@@ -1,6 +1,7 @@
 // How a certificate is written: for programs, for people, for the terminal.
 #include <algorithm>
 #include <cstdio>
+#include <functional>
 #include <map>
 
 #include "exact/certificate/bounds.h"
@@ -29,7 +30,7 @@ Json to_json(const ProvedSet& s) {
 }
 
 /// Bounds hold for one stratum; the simultaneous ones for all at once (Bonferroni).
-double simultaneous_alpha(const Certificate& c) { return confidence_alpha / static_cast<double>(c.strata.size()); }
+double simultaneous_alpha(const Certificate& c) { return confidence_alpha / static_cast<double>(c.sampled_strata()); }
 
 bool of_triangles(Slot slot) { return operands_of(slot) == Operands::triangles; }
 
@@ -43,6 +44,7 @@ Json to_json(const Certificate& c, const Stratum& s) {
   row["k"] = s.count.wrong;
   row["unsupported"] = s.count.unsupported;
   for (const Stage stage : c.stages) row["from_" + std::string(name_of(stage))] = s.count.at(stage);
+  if (c.is_own(s)) return row;
   row["upper_95"] = upper_bound(s.count.wrong, s.count.judged(), confidence_alpha);
   row["upper_95_simultaneous"] = upper_bound(s.count.wrong, s.count.judged(), simultaneous_alpha(c));
   return row;
@@ -66,10 +68,11 @@ Json streams_json(const Certificate& c) {
   return rows;
 }
 
-Json sampled_json(const Certificate& c) {
+/// Of the sampled strata, or of one's own cases.
+Json strata_json(const Certificate& c, bool own) {
   Json rows = Json::array();
   for (const Stratum& s : c.strata) {
-    if (s.count.judged() > 0) rows.push_back(to_json(c, s));
+    if (c.is_own(s) == own && s.count.judged() > 0) rows.push_back(to_json(c, s));
   }
   return rows;
 }
@@ -146,6 +149,7 @@ std::string sampled_table(const Certificate& c) {
   std::string text =
       "| family | format | stress | cases | wrong | rate | 95 % upper bound |\n|---|---|---|---|---|---|---|\n";
   for (const SampleRow& row : c.rows) {
+    if (row.family == own_cases) continue;
     const Count count = total_of(row);
     text += "| " + row.family + " | " + std::string(name_of(row.format)) + " | " + stress_of(c, row) + " | " +
             std::to_string(count.judged()) + " | " + std::to_string(count.wrong) + " | " + rate_of(count) + " | " +
@@ -155,9 +159,11 @@ std::string sampled_table(const Certificate& c) {
 }
 
 /// The strata with the most wrong answers.
-std::vector<Stratum> worst_of(const Certificate& c, std::size_t most) {
+std::vector<Stratum> worst_of(const Certificate& c, std::size_t most,
+                              const std::function<bool(const Stratum&)>& among) {
   std::vector<Stratum> worst;
-  std::ranges::copy_if(c.strata, std::back_inserter(worst), [](const Stratum& s) { return s.count.wrong > 0; });
+  std::ranges::copy_if(c.strata, std::back_inserter(worst),
+                       [&](const Stratum& s) { return s.count.wrong > 0 && among(s); });
   std::ranges::stable_sort(worst, std::greater{}, [](const Stratum& s) { return s.count.wrong; });
   if (worst.size() > most) worst.resize(most);
   return worst;
@@ -165,7 +171,7 @@ std::vector<Stratum> worst_of(const Certificate& c, std::size_t most) {
 
 std::string worst_line(const Certificate& c) {
   std::string text;
-  for (const Stratum& s : worst_of(c, 5)) {
+  for (const Stratum& s : worst_of(c, 5, [](const Stratum&) { return true; })) {
     text += (text.empty() ? "  most in  " : ", ") + slot_name(s.slot) + " " + c.streams[s.stream].family + " " +
             std::string(name_of(c.streams[s.stream].format)) + " " + std::to_string(s.count.wrong) + "/" +
             std::to_string(s.count.judged());
@@ -173,8 +179,9 @@ std::string worst_line(const Certificate& c) {
   return text.empty() ? "" : text + "\n";
 }
 
-std::string worst_classes(const Certificate& c) {
-  const std::vector<Stratum> worst = worst_of(c, 20);
+/// Of the sampled strata, or of one's own cases.
+std::string worst_classes(const Certificate& c, bool own) {
+  const std::vector<Stratum> worst = worst_of(c, 20, [&](const Stratum& s) { return c.is_own(s) == own; });
   if (worst.empty()) return c.operands() == Operands::triangles ? "No class had a wrong answer.\n" : "Nowhere.\n";
   std::string text = "| class | what it is | family | cases | wrong |\n|---|---|---|---|---|\n";
   for (const Stratum& s : worst) {
@@ -201,7 +208,7 @@ std::string stages_table(const Certificate& c) {
 std::string populations(const Certificate& c) {
   std::string text;
   for (const SampledStream& s : c.streams) {
-    if (!s.taken) continue;
+    if (!s.taken || s.is_own()) continue;
     text += "- " + s.family + " " + std::string(name_of(s.format)) + ": " + std::to_string(s.cases) + " of " +
             s.population + "; judged by " + s.judged_by + "\n";
   }
@@ -240,6 +247,40 @@ std::string environment_list(const Certificate& c) {
   return text;
 }
 
+std::string sampled_section(const Certificate& c) {
+  return "## Sampled\n\nThe bounds are one-sided Clopper-Pearson bounds and speak of cases of these populations under "
+         "this seed only. Bounds for each " +
+         std::string(c.operands() == Operands::triangles ? "class" : "construction and outcome") +
+         ", pointwise and simultaneous (Bonferroni over " + std::to_string(c.sampled_strata()) +
+         " strata), are in `certificate.json`.\n\n" + stages_table(c) + sampled_table(c) + "\nWhere it was wrong:\n\n" +
+         worst_classes(c, false) + "\nPopulations:\n\n" + populations(c) + "\n";
+}
+
+/// "1 wrong of 12 (8.33 %); 3 outside the contract"
+std::string wrong_of(const Count& count) {
+  return std::to_string(count.wrong) + " wrong of " + std::to_string(count.judged()) + " (" + rate_of(count) + ")" +
+         (count.unsupported == 0 ? "" : "; " + std::to_string(count.unsupported) + " outside the contract");
+}
+
+Count total_of(const Certificate& c, std::size_t stream) {
+  Count total;
+  for (const Stratum& s : c.strata) {
+    if (s.stream == stream) total += s.count;
+  }
+  return total;
+}
+
+std::string own_section(const Certificate& c) {
+  std::string text = "## Your own cases\n\nThey are themselves and no sample: no bound follows from them.\n\n";
+  for (std::size_t i = 0; i < c.streams.size(); ++i) {
+    const SampledStream& s = c.streams[i];
+    if (!s.is_own()) continue;
+    text +=
+        "- " + std::string(name_of(s.format)) + ": " + wrong_of(total_of(c, i)) + "; judged by " + s.judged_by + "\n";
+  }
+  return text + "\nWhere it was wrong:\n\n" + worst_classes(c, true) + "\n";
+}
+
 const char* coverage_word(const Certificate& c) { return c.coverage.has(Operands::polygons) ? "Polygons" : "Classes"; }
 
 std::string word(const Certificate& c, const char* key) { return c.plan[key]; }
@@ -255,7 +296,8 @@ Json to_json(const Certificate& c) {
   if (polygons) object["polygons_judged"] = polygons_json(c);
   object["proved"] = proved_json(c);
   object["streams"] = streams_json(c);
-  object["sampled"] = sampled_json(c);
+  object["sampled"] = strata_json(c, false);
+  if (c.has_own()) object["own_cases"] = strata_json(c, true);
   object["not_covered"] = gaps_json(c);
   object["calibration"] = calibration_json(c);
   object["counterexamples"] = c.counterexamples.size();
@@ -270,13 +312,8 @@ std::string to_markdown(const Certificate& c) {
           word(c, "budget") + ", seed " + c.plan["seed"].dump() + ". " + coverage_word(c) +
           " judged: " + c.coverage.to_text(c.stages) + ".\n\n";
   if (!c.proved.empty()) text += "## Proved: sets run whole\n\n" + proved_table(c) + "\n";
-  text +=
-      "## Sampled\n\nThe bounds are one-sided Clopper-Pearson bounds and speak of cases of these populations under "
-      "this seed only. Bounds for each " +
-      std::string(c.operands() == Operands::triangles ? "class" : "construction and outcome") +
-      ", pointwise and simultaneous (Bonferroni over " + std::to_string(c.strata.size()) +
-      " strata), are in `certificate.json`.\n\n" + stages_table(c) + sampled_table(c) + "\nWhere it was wrong:\n\n" +
-      worst_classes(c) + "\nPopulations:\n\n" + populations(c) + "\n";
+  if (c.sampled_strata() > 0) text += sampled_section(c);
+  if (c.has_own()) text += own_section(c);
   text += "## Not covered\n\n" + gaps_list(c) + "\n";
   text += "## Calibration\n\n" + calibration_list(c) + "\n";
   text += "## Environment\n\n" + environment_list(c);
@@ -287,18 +324,16 @@ std::string to_markdown(const Certificate& c) {
 std::string to_summary(const Certificate& c) {
   std::string text = c.method() + ": " + name_of(c.verdict) + "\n";
   for (const ProvedSet& s : c.proved) {
-    text += "  proved   " + s.name + ": " + std::to_string(s.count.wrong) + " wrong of " +
-            std::to_string(s.count.judged()) + ", " + std::to_string(s.classes) + " " + classes_word(c) + "\n";
+    text += (s.count.wrong == 0 ? "  proved   " : "  refuted  ") + s.name + ": " + std::to_string(s.count.wrong) +
+            " wrong of " + std::to_string(s.count.judged()) + ", " + std::to_string(s.classes) + " " + classes_word(c) +
+            "\n";
   }
   const Count sampled = c.sampled();
-  const bool generated = !c.calibration.empty();
-  text += (generated ? "  sampled  " : "  judged   ") + std::to_string(sampled.wrong) + " wrong of " +
-          std::to_string(sampled.judged()) + " (" + rate_of(sampled) + ")";
-  if (generated) {
-    text += ", 95 % upper bound " + percent(upper_bound(sampled.wrong, sampled.judged(), confidence_alpha)) +
-            " on these populations";
+  if (c.sampled_strata() > 0) {
+    text += "  sampled  " + wrong_of(sampled) + "; 95 % upper bound " +
+            percent(upper_bound(sampled.wrong, sampled.judged(), confidence_alpha)) + " on these populations\n";
   }
-  text += sampled.unsupported == 0 ? "\n" : "; " + std::to_string(sampled.unsupported) + " outside the contract\n";
+  if (c.has_own()) text += "  own      " + wrong_of(c.own()) + "\n";
   text += worst_line(c);
   text += (c.coverage.has(Operands::polygons) ? "  judged   " : "  classes  ") + c.coverage.to_text(c.stages) + "\n";
   for (const Gap& g : c.gaps) {

@@ -52,11 +52,16 @@ void compare(Verification& v, const BasicScopeResult<On>& again) {
 
 void ask_again(Verification& v) {
   const Method* method = find_method(v.certificate.method());
-  if (method == nullptr || v.certificate.proved.empty()) return;
-  if (v.certificate.operands() == Operands::triangles) {
+  if (v.certificate.proved.empty()) {
+    v.not_asked = "its answers came from a file";
+  } else if (method == nullptr) {
+    v.not_asked = "the method is not known here";
+  } else if (v.certificate.operands() == Operands::triangles) {
     compare(v, pocket_run(*method));
   } else if (method->polygon) {
     compare(v, pocket_of_rings_run(*method));
+  } else {
+    v.not_asked = "the method of this name takes no polygons here";
   }
 }
 

@@ -12,7 +12,8 @@ struct Verification {
   Certificate certificate;
   std::vector<std::string> faults{};  ///< one line each; none: verified
   std::size_t confirmed = 0;          ///< counterexamples whose exact answer and evidence were found again
-  std::uint64_t asked_again = 0;      ///< cases of the smallest set, if the method is known here
+  std::uint64_t asked_again = 0;      ///< cases of the smallest set, which the method was asked again
+  std::string not_asked{};            ///< why it was not, if so
 };
 
 /// The chain of hashes is checked first (Exit::bad_input at the line that breaks it). Then certificate.json,

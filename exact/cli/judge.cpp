@@ -69,7 +69,7 @@ int run(const Options& o) {
   for (const AnswerSheet& sheet : read_answers(o.answers, exam.ids)) {
     logs.push_back(log_of(exam, sheet, convention_of(o)));
     all.push_back(certificate_from(logs.back().so_far(), o.answers));
-    sum += all.back().sampled();
+    sum += all.back().own();
     text += to_summary(all.back());
   }
   if (sum.judged() == 0) throw bad_input(o.answers, 0, "no answer is \"ok\", nothing to judge");

@@ -7,7 +7,7 @@
 
 #include "exact/cli/command.h"
 #include "exact/io/failure.h"
-#include "exact/io/json.h"
+#include "exact/io/suggestion.h"
 #include "exact/methods.h"
 #include "exact/plugin/load.h"
 
@@ -18,15 +18,16 @@ const Method& method_named(const std::string& name) {
   if (const Method* found = find_method(name)) return *found;
   std::vector<std::string> names;
   for (const Method& m : all_methods()) names.push_back(m.name);
-  throw Failure(Exit::usage, "unknown method \"" + name + "\", did you mean \"" + nearest(name, names) +
-                                 "\"? `tribunal methods` lists them");
+  throw Failure(Exit::usage,
+                "unknown method \"" + name + "\"" + suggestion(name, names, "one that `tribunal methods` lists"));
 }
 
 void require_family(const std::string& name) {
   if (find_family(name) != nullptr) return;
   std::vector<std::string> known;
   for (const Family& f : all_families()) known.emplace_back(f.name);
-  throw Failure(Exit::usage, "unknown family \"" + name + "\", did you mean \"" + nearest(name, known) + "\"?");
+  throw Failure(Exit::usage,
+                "unknown family \"" + name + "\"" + suggestion(name, known, "one that `tribunal fuzz --help` lists"));
 }
 
 }  // namespace

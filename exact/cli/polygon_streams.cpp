@@ -4,6 +4,7 @@
 
 #include "exact/cli/command.h"
 #include "exact/io/failure.h"
+#include "exact/io/suggestion.h"
 
 namespace tribunal {
 namespace {
@@ -15,7 +16,8 @@ const PolygonFamily& family_named(const std::string& name) {
   if (!name.starts_with(prefix)) throw Failure(Exit::usage, "\"" + name + "\" is no polygon family: ask for it apart");
   std::vector<std::string> known;
   for (const PolygonFamily& f : all_polygon_families()) known.emplace_back(f.name);
-  throw Failure(Exit::usage, "unknown family \"" + name + "\", did you mean \"" + nearest(name, known) + "\"?");
+  throw Failure(Exit::usage,
+                "unknown family \"" + name + "\"" + suggestion(name, known, "one that `tribunal fuzz --help` lists"));
 }
 
 }  // namespace

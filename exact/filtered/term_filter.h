@@ -5,8 +5,8 @@
 // uᵢ·vⱼ·wₖ of det(u, v, w), and for each edge the short arm is the edge itself.
 //
 // Proof. A term passes eight roundings on its way into det3: one in each of its arms, the product of two of them, the
-// minor's difference, the product with the third, and at most three more in sums: a sum of three is two, the first
-// term's; so at most 3 + 1 + 1 + 1 + 2 = 8. Each multiplies it by 1 + δ with |δ| ≤ 2⁻⁵², so the determinant is off by
+// minor's difference, the product with the third, and at most two in the sum of three products, the first term's;
+// so at most 3 + 1 + 1 + 1 + 2 = 8. Each multiplies it by 1 + δ with |δ| ≤ 2⁻⁵², so the determinant is off by
 // at most ((1 + 2⁻⁵²)⁸ − 1)·T over the rounded arms (Higham, "Accuracy and Stability of Numerical Algorithms", 2002,
 // Lemma 3.1), which is 8.0…01 units of T. T itself is computed from the same arms with at most five roundings and the
 // bound with two more, so it comes out at no less than (1 − 2⁻⁵²)⁷ of what it is: 9 units suffice. Underflow and

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <system_error>
 
@@ -33,20 +34,29 @@ void write_all(std::FILE* out, std::string_view bytes, const std::string& name) 
   if (!written) throw output_failed(name, errno);
 }
 
+/// `name`: of the file in messages.
+void write_in_place(const std::string& path, std::string_view bytes, const std::string& name) {
+  const File out(std::fopen(path.c_str(), "wb"));
+  if (!out) throw output_failed(name, errno);
+  write_all(out.get(), bytes, name);
+}
+
+/// The name that the file has or would have, without links and detours.
+fs::path resolved(const std::string& path) {
+  std::error_code error;
+  const fs::path whole = fs::absolute(path, error);  // weakly_canonical leaves "b.png" relative, and not "./b.png"
+  const fs::path found = fs::weakly_canonical(whole, error);
+  return error ? whole.lexically_normal() : found;
+}
+
+}  // namespace
+
 /// A device or a pipe cannot be renamed over; it is written in place.
 bool is_special(const std::string& path) {
   std::error_code ignored;
   const fs::file_status status = fs::status(path, ignored);
   return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
-
-void write_in_place(const std::string& path, std::string_view bytes) {
-  const std::unique_ptr<std::FILE, Closer> out(std::fopen(path.c_str(), "wb"));
-  if (!out) throw output_failed(path, errno);
-  write_all(out.get(), bytes, path);
-}
-
-}  // namespace
 
 std::string read_file(const std::string& path, std::size_t limit) {
   if (path != "-" && fs::is_directory(path)) throw bad_input(path, 0, "is a directory, expected a file");
@@ -64,10 +74,10 @@ std::string read_file(const std::string& path, std::size_t limit) {
 
 void write_file(const std::string& path, std::string_view bytes) {
   if (path == "-") return print(bytes);
-  if (is_special(path)) return write_in_place(path, bytes);
+  if (is_special(path)) return write_in_place(path, bytes, path);
   const std::string temporary = path + ".tmp" + std::to_string(getpid());
   try {
-    write_in_place(temporary, bytes);
+    write_in_place(temporary, bytes, path);
     std::error_code error;
     fs::rename(temporary, path, error);
     if (error) throw output_failed(path, error.value());
@@ -89,6 +99,16 @@ void require_different(const std::string& input, const std::string& output) {
   std::error_code ignored;
   if (input != "-" && output != "-" && fs::equivalent(input, output, ignored)) {
     throw Failure(Exit::usage, output + ": output is the same file as the input");
+  }
+}
+
+void require_distinct(const std::vector<Output>& outputs) {
+  std::map<fs::path, const Output*> owners;
+  for (const Output& o : outputs) {
+    const auto [owner, fresh] = owners.emplace(resolved(o.file), &o);
+    if (fresh) continue;
+    throw Failure(Exit::usage, owner->second->option + " and " + o.option + " would both write " + o.file +
+                                   ", expected different files");
   }
 }
 

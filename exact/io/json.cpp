@@ -4,10 +4,10 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <set>
 
 #include "exact/io/failure.h"
+#include "exact/io/suggestion.h"
 
 namespace tribunal {
 namespace {
@@ -54,21 +54,6 @@ bool parse_hex_float(std::string_view text, double& x) {
   return error == std::errc{} || error == std::errc::result_out_of_range;
 }
 
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] != b[j]);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
-    }
-  }
-  return row.back();
-}
-
 /// A parser callback that fails on the second key of one name in an object; the parser itself keeps the last.
 Json::parser_callback_t refuse_duplicates(const Where& where) {
   return [where, open = std::vector<std::set<std::string>>()](int, Json::parse_event_t event, Json& parsed) mutable {
@@ -103,6 +88,12 @@ std::string with_signed_zeros(std::string_view text) {
 std::string after_tag(const std::string& what) {
   const std::size_t tag_end = what.find("] ");
   return tag_end == std::string::npos ? what : what.substr(tag_end + 2);
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
 }
 
 std::string shorten(std::string text) { return text.size() > 60 ? text.substr(0, 57) + "..." : text; }
@@ -175,13 +166,10 @@ void require_keys(const Json& object, std::initializer_list<std::string_view> kn
   const std::vector<std::string> names(known.begin(), known.end());
   for (const auto& item : object.items()) {
     if (std::ranges::find(names, item.key()) == names.end()) {
-      where.fail("unknown key \"" + shorten(item.key()) + "\", did you mean \"" + nearest(item.key(), names) + "\"?");
+      where.fail("unknown key \"" + shorten(item.key()) + "\"" +
+                 suggestion(item.key(), names, "one of " + listed(names)));
     }
   }
-}
-
-std::string nearest(std::string_view word, const std::vector<std::string>& known) {
-  return *std::ranges::min_element(known, {}, [&](const std::string& k) { return edit_distance(word, k); });
 }
 
 }  // namespace tribunal

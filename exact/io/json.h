@@ -43,10 +43,7 @@ Json parse_json(std::string_view text, const Where& where);
 /// The member; fails if it is missing.
 const Json& require(const Json& object, std::string_view key, const Where& where);
 
-/// Fails if the value is no object or has a key that is not in the list, naming the nearest known one.
+/// Fails if the value is no object or has a key that is not in the list, naming the one that it resembles, or all.
 void require_keys(const Json& object, std::initializer_list<std::string_view> known, const Where& where);
-
-/// The entry of `known` nearest to `word` by edit distance.
-std::string nearest(std::string_view word, const std::vector<std::string>& known);
 
 }  // namespace tribunal

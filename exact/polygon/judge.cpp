@@ -17,6 +17,8 @@ namespace {
                 "oracles contradict each other: " + one + ", " + other + ", on " + from_case(witness).dump());
 }
 
+bool is_boundary(Contact contact) { return contact == Contact::edge || contact == Contact::vertex; }
+
 const char* said(bool hit) { return hit ? "hit" : "no hit"; }
 
 void require_agreement(const PolygonQuery& query, bool reference, const char* oracle, bool answer) {
@@ -40,7 +42,11 @@ PolygonTruth truth_for(const P& probe, const PolygonQuery& query) {
   if (v.planar) require_agreement(query, hit, "the half-open crossings", v.boundary || v.by_half_open_crossings);
   const bool crossed = std::abs(v.surface_halves) % 4 == 2;
   if (!in_plane) require_agreement(query, hit, "the covering surface", v.boundary || crossed);
-  return {prepared.answer.contact, prepared.planar};
+  if (!in_plane && is_boundary(prepared.answer.contact) != v.boundary) {
+    contradiction(query, "the reference says " + std::string(name_of(prepared.answer.contact)),
+                  std::string("Caratheodory that ") + (v.boundary ? "a" : "no") + " ring edge is met");
+  }
+  return {prepared.answer.contact, prepared.planar, v.boundary};
 }
 
 /// What the place says of the contact, where it does: corners and edges that the polygon has twice still are met.
@@ -67,8 +73,7 @@ PolygonTruth truth_of(const PolygonTrial& trial) {
 }
 
 bool is_promised(const PolygonPromise& promise, const PolygonTruth& truth) {
-  const bool boundary = truth.contact == Contact::edge || truth.contact == Contact::vertex;
-  return (truth.planar || promise.surface) && (!boundary || promise.boundary);
+  return (truth.planar || promise.surface) && (!truth.boundary || promise.boundary);
 }
 
 PolygonAnswer within_contract(const Method& method, const PolygonTruth& truth, const PolygonAnswer& answer) {

@@ -10,13 +10,15 @@ namespace tribunal {
 struct PolygonTruth {
   Contact contact = Contact::none;
   bool planar = true;
+  bool boundary = false;  ///< a ring edge is met: where the contact is edge or vertex, and perhaps where it is coplanar
 
   bool hit() const { return contact != Contact::none; }
 };
 
 /// The exact answer by ways that must agree: the reference kernel's covering test, prepared and on the fly; for planar
 /// polygons, the point where the probe meets the plane, included by a generic ray and by half-open crossings; and the
-/// signed crossings of the covering surface, point by point. Ring edges are met by Carathéodory's theorem.
+/// signed crossings of the covering surface, point by point. Ring edges are met by Carathéodory's theorem, and off the
+/// plane the contact says the same of them.
 /// Fails with Exit::oracles_contradict where two differ; there is no majority.
 PolygonTruth exact_truth(const PolygonQuery& query);
 
@@ -31,8 +33,8 @@ bool is_promised(const PolygonPromise& promise, const PolygonTruth& truth);
 PolygonAnswer within_contract(const Method& method, const PolygonTruth& truth, const PolygonAnswer& answer);
 inline Answer within_contract(const Method&, const Truth&, const Answer& answer) { return answer; }
 
-/// By the method's own convention and promise: coplanar contacts are misses to a transversal method; boundary contacts
-/// and polygons that are not planar are not judged where the method promises nothing of them.
+/// By the method's own convention and promise: coplanar contacts are misses to a transversal method; probes that meet a
+/// ring edge and polygons that are not planar are not judged where the method promises nothing of them.
 Judgement judge(const Method& method, const PolygonTruth& truth, const PolygonAnswer& answer);
 
 }  // namespace tribunal

@@ -115,7 +115,7 @@ class Scope {
   template <class Subject>
   void ask(const std::vector<Cells>& rings, const Subject& subject) {
     const auto answer = subject(place(rings));
-    visit_cases(rings, ++report.polygons, [&](const Segment& s, Contact due) {
+    visit_cases(rings, ++report.polygons, [&](const Segment& s, Contact due, bool) {
       ++report.queries;
       report.hits += due != Contact::none;
       report.different += answer(s) != (due != Contact::none);
@@ -133,20 +133,23 @@ class Scope {
     return polygon_;
   }
 
-  /// Every case of the polygon: calls `visit(segment, exact contact)`. `number` says how piercing segments take turns.
+  /// Every case of the polygon: calls `visit(segment, exact contact, whether a ring edge is met)`. `number` says how
+  /// piercing segments take turns.
   template <class Visit>
   void visit_cases(const std::vector<Cells>& rings, std::uint64_t number, const Visit& visit) {
     const bool flat = is_flat(rings);
     for (int i = 0; i < points(); ++i) {
       const Vec2<std::int64_t> x = grid_.point(i);
-      visit(piercing(x, i + static_cast<int>(number % 3)), contact_at(rings, x, flat));
+      const Contact due = contact_at(rings, x, flat);
+      visit(piercing(x, i + static_cast<int>(number % 3)), due, due != Contact::none && due != Contact::interior);
     }
     std::array<bool, grid_points> start_inside;
     for (int c = 0; c < grid_points; ++c)
       start_inside[static_cast<std::size_t>(c)] = !see(rings, grid_.vertex(c)) && inside();
     for (std::size_t s = 0; s < segments_.size(); ++s) {
-      const bool meets = start_inside[static_cast<std::size_t>(segments_.source(s))] || meets_edge(rings, s);
-      visit(segments_.segment(s), meets ? Contact::coplanar : Contact::none);
+      const bool boundary = meets_edge(rings, s);
+      const bool meets = boundary || start_inside[static_cast<std::size_t>(segments_.source(s))];
+      visit(segments_.segment(s), meets ? Contact::coplanar : Contact::none, boundary);
     }
   }
 

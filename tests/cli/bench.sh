@@ -3,9 +3,49 @@
 source "$(dirname "$0")/common.bash"
 cd "$scratch"
 
-status=0
-"$SOURCE_DIR/run" bench nothing 2>err || status=$?
-[ $status -eq 2 ] && says err 'there are: polygon predicate tracer'
+# run_ends CODE ARG…: `run` ends with this exit code; what it says is left in out and err.
+run_ends() {
+  local expected=$1 status=0
+  shift
+  "$root/run" "$@" >out 2>err || status=$?
+  [ "$status" -eq "$expected" ] || { echo "run $*: exit $status, expected $expected" >&2; cat err >&2; exit 1; }
+}
+root=$SOURCE_DIR
+run_ends 2 bench nothing && says err 'there are: polygon predicate tracer'
+run_ends 2 bench && says err 'there are: polygon predicate tracer'
+run_ends 2 && says err 'usage: ./run build'
+run_ends 2 biuld && says err 'no such command: biuld'
+run_ends 2 build extra && says err 'build takes no arguments, found: extra'
+run_ends 2 test extra && says err 'test takes no arguments, found: extra'
+run_ends 0 --help && says out 'usage: ./run build'
+
+# The last result stays until there is a new one: a run that measures nothing leaves it, and nothing beside it. The
+# benchmark, cmake and dpkg-query are played by scripts.
+root=$scratch/repository
+mkdir -p "$root/tests/bench/predicate" "$root/build/release/tests" "$root/data/meshes" bin
+cp "$SOURCE_DIR/run" "$root/run"
+cat >"$root/build/release/tests/predicate_bench" <<'EOF'
+#!/bin/sh
+file=${1#--benchmark_out=}
+: >"$file"
+case $3 in
+  one | two) echo "$3" >"$file" ;;
+  --benchmark_list_tests) ;;
+  *) exit 1 ;;
+esac
+EOF
+printf '#!/bin/sh\n' >bin/cmake
+# shellcheck disable=SC2016  # $p is the script's
+printf '#!/bin/sh\nfor p; do echo "installed $p"; done\n' >bin/dpkg-query
+chmod +x bin/* "$root/build/release/tests/predicate_bench"
+PATH=$scratch/bin:$PATH
+result=$root/out/bench-predicate.json
+run_ends 1 bench predicate none && [ ! -e "$result" ]
+run_ends 0 bench predicate one && [ "$(cat "$result")" = one ]
+run_ends 1 bench predicate none && says err 'out/bench-predicate.json is left as it was' && [ "$(cat "$result")" = one ]
+run_ends 0 bench predicate --benchmark_list_tests && [ "$(cat "$result")" = one ]
+run_ends 0 bench predicate two && [ "$(cat "$result")" = two ]
+[ "$(ls "$root/out")" = bench-predicate.json ]
 
 /usr/bin/python3 - <<'PY'
 import json

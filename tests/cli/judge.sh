@@ -30,13 +30,14 @@ expect 0 cases --family affine --fmt binary64 --count 2608 --out affine.jsonl
 $python "$example" affine.jsonl >naive.jsonl
 expect 1 judge --cases affine.jsonl --answers naive.jsonl --out naive
 says out 'mine-float: refuted' && says out "most in  C"
-expect 0 verify naive
+expect 0 verify naive && says out 'not asked again: its answers came from a file'
+says naive/certificate.md '## Your own cases' && lacks naive/certificate.md '## Sampled' && lacks naive/certificate.json upper_95
 $python "$SOURCE_DIR/docs/check_counterexample.py" naive/counterexamples.jsonl
 expect 1 judge --cases affine.jsonl --answers naive.jsonl --out one --threads 1 && diff -r naive one
 $python - <<'PYTHON'
 import json
 wrong = [json.loads(line) for line in open("naive/counterexamples.jsonl")]
-rows = json.load(open("naive/certificate.json"))["sampled"]
+rows = json.load(open("naive/certificate.json"))["own_cases"]
 assert sum(row["n"] + row["unsupported"] for row in rows) <= 2608 and 80 < len(rows) <= 163
 assert sum(row["k"] for row in rows) == len(wrong) > 100
 answers = {a["id"]: a for a in map(json.loads, open("naive.jsonl"))}
@@ -48,10 +49,11 @@ expect 0 judge --cases affine.jsonl --answers exact.jsonl && says out mine-fract
 # What classify writes can be judged, several methods in one file, and agrees with what fuzz says of the same cases.
 expect 0 classify --method sf-double,sf-rational --in affine.jsonl --out two.jsonl
 expect 1 judge --cases affine.jsonl --answers two.jsonl --out two && says out sf-rational
+expect 0 verify two/1-sf-double && says out 'not asked again: its answers came from a file'
 expect 1 fuzz --method sf-double --family affine --count 5216 --out fuzzed
 $python - <<'PYTHON'
 import json
-judged = {row["class"]: row["k"] for row in json.load(open("two/1-sf-double/certificate.json"))["sampled"]}
+judged = {row["class"]: row["k"] for row in json.load(open("two/1-sf-double/certificate.json"))["own_cases"]}
 fuzzed = {row["class"]: row["wrong"] for row in json.load(open("fuzzed/summary.json"))["counts"]
           if row["fmt"] == "binary64"}
 assert judged == fuzzed and len(judged) == 163

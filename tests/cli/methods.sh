@@ -28,6 +28,7 @@ EOF
 [ "$(wc -l <answers.jsonl)" -eq 4 ]
 expect 0 replay cases.jsonl && says out 'right by its convention'
 expect 2 classify --method sf-duoble --in cases.jsonl && says err 'did you mean "sf-double"?'
+expect 2 classify --method quadric --in cases.jsonl && says err 'unknown method "quadric", expected one that `tribunal methods` lists'
 expect 2 classify --method sf-double --in cases.jsonl --out cases.jsonl && says err 'same file'
 expect 3 classify --method sf-double --in nothing.jsonl && says err 'nothing.jsonl: cannot read'
 echo '{"id":"x","sag":[]}' >typo.jsonl
@@ -55,6 +56,7 @@ expect 2 fuzz --count 0 && says err 'expected a number above 0'
 expect 2 fuzz --seed -1 && says err 'expected a whole number'
 expect 2 fuzz --threads 0
 expect 2 fuzz --family afine && says err 'did you mean "affine"?'
+expect 2 fuzz --family xyzzy && says err 'unknown family "xyzzy", expected one that `tribunal fuzz --help` lists'
 expect 2 fuzz --count 5 --seconds 5
 timeout --foreground --preserve-status -s INT 2 "$TRIBUNAL" fuzz --method sf-epick --seconds 60 >out 2>err && status=0 || status=$?
 [ "$status" -eq 130 ] || { echo "interrupted fuzz: exit $status, expected 130" >&2; exit 1; }

@@ -11,23 +11,14 @@ says out 'constructions 774/774' && says one/summary.json 'comb / outer corner /
 expect 1 "${plan[@]}" --threads 2 --out two
 expect 1 "${plan[@]}" --threads 7 --out seven
 diff -r one two && diff -r one seven
-interrupted=0
-for threads in 1 2 7 2 1 2 7 2 1 2; do
-  timeout --foreground --preserve-status -s INT 1 "$TRIBUNAL" "${plan[@]}" --threads "$threads" --out parts --resume >out 2>err && status=0 || status=$?
-  [ "$status" -ne 1 ] || break
-  [ "$status" -eq 130 ] && says out 'INTERRUPTED' && [ ! -e parts/summary.json ] || { cat err; exit 1; }
-  [ -e other ] || cp -r parts other
-  interrupted=$((interrupted + 1))
-done
-[ "$interrupted" -gt 0 ] || { echo "never interrupted" >&2; exit 1; }
-[ ! -e parts/summary.json ] && expect 1 "${plan[@]}" --out parts --resume
+interrupt_and_resume "${plan[@]}"
 diff -r one parts
 sha256sum one/summary.json two/summary.json seven/summary.json parts/summary.json
-expect 2 fuzz --family polygon-affine --method sf-float --seed 3 --count 12000 --out other --resume && says err 'other methods, families, seed or count'
-expect 2 fuzz --method sf-float --seed 3 --count 12000 --out other --resume && says err 'other methods, families, seed or count'
-expect 2 "${plan[@]}" --out other && says err 'is of an interrupted run'
-sed -i '3s/[0-9]/7/3' other/checkpoint.jsonl
-expect 3 "${plan[@]}" --out other --resume && says err 'checkpoint.jsonl:3:'
+expect 2 fuzz --family polygon-affine --method sf-float --seed 3 --count 12000 --out first-part --resume && says err 'other methods, families, seed or count'
+expect 2 fuzz --method sf-float --seed 3 --count 12000 --out first-part --resume && says err 'other methods, families, seed or count'
+expect 2 "${plan[@]}" --out first-part && says err 'is of an interrupted run'
+sed -i '3s/[0-9]/7/3' first-part/checkpoint.jsonl
+expect 3 "${plan[@]}" --out first-part --resume && says err 'checkpoint.jsonl:3:'
 
 # Findings carry every method's answer and replay to the same verdict; shrink leaves them as they are.
 says one/counterexamples.jsonl '"answers":{"sf-float":' && says one/counterexamples.jsonl '"made_with":{"program"'
@@ -57,6 +48,7 @@ expect 1 judge --cases cases.jsonl --answers answers.jsonl --out judged --thread
 says out 'sf-rational: not refuted' && says out 'sf-float: refuted' && says out 'outcomes 9/9'
 expect 0 verify judged/1-sf-rational && expect 0 verify judged/2-sf-float
 expect 1 replay judged/2-sf-float/counterexamples.jsonl
+/usr/bin/python3 "$SOURCE_DIR/docs/check_polygon_counterexample.py" judged/2-sf-float/counterexamples.jsonl
 head -n 1 answers.jsonl >few.jsonl
 expect 3 judge --cases cases.jsonl --answers few.jsonl && says err 'are missing'
 expect 2 cases --family polygon-affine --count 2500001 --out x && says err 'at most 2500000 polygons'
@@ -67,9 +59,10 @@ expect 0 judge --cases some.jsonl --answers right.jsonl && says out '0 wrong of 
 # A certificate on polygons, with rings of the user's own, and what it notices.
 frame='[[[0,0,0],[9,0,0],[9,9,0],[0,9,0]],[[4,4,0],[6,4,0],[6,6,0],[4,6,0]]]'
 echo "{\"id\":\"in the hole\",\"seg\":[[5,5,1],[5,5,-1]],\"rings\":$frame,\"expect\":0}" >mine.jsonl
-expect 1 certify --polygons --method sf-float --cases mine.jsonl --threads 2 --out certificate
+sed 's/"seg"/"fmt":"binary32","seg"/' mine.jsonl | cat - mine.jsonl >twice.jsonl
+expect 1 certify --polygons --method sf-float --cases twice.jsonl --threads 2 --out certificate
 says out 'constructions 774/774' && says out 'all rings of 3 to 5 vertices on a 3x3 grid: 0 wrong of 1658442'
-says certificate/certificate.md 'your own cases' && says certificate/counterexamples.jsonl '"rings":'
+says out '  own      0 wrong of 1 (0 %); 1 outside the contract' && says certificate/certificate.md '- binary32: 0 wrong of 1' && says certificate/counterexamples.jsonl '"rings":'
 expect 0 verify certificate && says out 'asked again on 217140 cases'
 cp -r certificate edited
 sed -i '0,/dart \/ outer edge \/ to":\[/s//&1/' edited/log.jsonl
@@ -94,7 +87,7 @@ says out 'my-polygons' && ! grep -v '"method":"my-polygons"' found/counterexampl
 says found/counterexamples.jsonl '"fmt":"binary32"'
 expect 1 certify --plugin planted.so --method my-polygons --threads 2 --out theirs && says out 'my-polygons: refuted'
 expect 0 verify --plugin planted.so theirs && says out 'asked again on 217140 cases'
-expect 0 verify theirs && says out 'not asked again'
+expect 0 verify theirs && says out 'not asked again: the method is not known here'
 no_polygons() { plugin bad "${@:2}" "$SOURCE_DIR/tests/plugin/broken.c" && expect 3 methods --plugin bad.so && says err "bad.so: $1"; }
 no_polygons 'tribunal_plugin_describe_polygons returned NULL' -DPOLYGONS=NULL
 no_polygons 'ask of polygons is NULL' -DPOLYGONS=\&polygons -DASK_POLYGON=NULL

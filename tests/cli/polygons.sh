@@ -10,6 +10,8 @@ cat >cases.jsonl <<EOF
 {"id":"at the hole","ray":{"o":[5,4,1],"d":[0,0,-1]},"rings":$frame,"expect":1}
 {"id":"not planar","seg":[[1,2,5],[1,2,-5]],"rings":[[[0,0,0],[9,0,1],[9,9,0],[0,9,1]]],"expect":1}
 {"id":"in the plane","fmt":"binary32","seg":[[1,1,0],[2,1,0]],"rings":$frame,"expect":1}
+{"id":"in the plane, over an edge","seg":[[1,1,0],[12,1,0]],"rings":$frame,"expect":1}
+{"id":"two points","seg":[[1,0,1],[1,0,-1]],"rings":[[[0,0,0],[2,0,0]]],"expect":1}
 EOF
 expect 0 classify --method sf-epick,haines-double --in cases.jsonl
 diff out - <<'EOF'
@@ -23,6 +25,10 @@ diff out - <<'EOF'
 {"id":"not planar","method":"haines-double","status":"unsupported"}
 {"id":"in the plane","method":"sf-epick","hit":1,"status":"ok","contact":"coplanar","planar":true}
 {"id":"in the plane","method":"haines-double","hit":0,"status":"ok","contact":"none"}
+{"id":"in the plane, over an edge","method":"sf-epick","hit":1,"status":"ok","contact":"coplanar","planar":true}
+{"id":"in the plane, over an edge","method":"haines-double","status":"unsupported"}
+{"id":"two points","method":"sf-epick","hit":1,"status":"ok","contact":"coplanar","planar":true}
+{"id":"two points","method":"haines-double","status":"unsupported"}
 EOF
 expect 0 replay cases.jsonl && says out 'not judged: outside its contract' && says out 'hit (interior), not planar'
 

@@ -22,3 +22,7 @@ exec 3<>"$scratch/pipe" 4>"$scratch/pipe" 3<&- # nobody reads what is written to
 status=0
 "$TRIBUNAL" methods >&4 2>"$scratch/err" || status=$?
 [ "$status" -eq 5 ] || { echo "closed pipe: exit $status, expected 5" >&2; exit 1; }
+
+# A file that cannot be written has the name that was asked for, not that of the temporary one.
+expect 5 classify --method sf-double --in "$SOURCE_DIR/data/cases/classes163.jsonl" --out "$scratch/none/answers.jsonl"
+says err 'none/answers.jsonl: cannot write: No such file or directory' && one_line_error

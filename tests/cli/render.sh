@@ -6,6 +6,7 @@ cd "$SOURCE_DIR"
 expect 0 render data/scenes/elephant.json --method mt-float --against sf-rational -o "$scratch/a.png" --stats "$scratch/a.json" --threads 2
 [ -s "$scratch/a.png" ] && [ -s "$scratch/a.diff.png" ] && [ -s "$scratch/a.cases.jsonl" ]
 grep -q '"triangle_tests"' "$scratch/a.json"
+says out '2 solids, ' && says out ': 1 of 2 solids'
 expect 1 replay "$scratch/a.cases.jsonl"
 differing=$(wc -l <"$scratch/a.cases.jsonl")
 wrong=$(grep -c '^  mt-float .*WRONG' "$scratch/out")
@@ -22,14 +23,39 @@ done | sort -u >"$scratch/hashes"
 
 /usr/bin/python3 docs/check_counterexample.py "$scratch/a.cases.jsonl"
 expect 2 render data/scenes/cube-grid.json --method cgal-epick -o "$scratch/b.png"
-expect 2 render data/scenes/cube-grid.json --method sf-double -o "$scratch/b.png" --stats "$scratch/b.png"
+
+# Each output is a file of its own, however its name is written; an option that derives names counts with all of them.
+ln -s . "$scratch/link"
+# clash FIRST SECOND ARG…: the options of those names would both write one file; nothing is written.
+clash() {
+  expect 2 render data/scenes/paper-2a.json --method sf-double -o "$scratch/b.png" "${@:3}"
+  says err "$1 and $2 would both write" && [ "$(wc -l <"$scratch/err")" -eq 1 ] && [ -z "$(ls "$scratch" | grep '^b\.')" ]
+}
+clash -o --stats --stats "$scratch/b.png"
+clash -o --export-pov --export-pov "$scratch/./b.png"
+clash -o --export-pov --export-pov "$scratch/link/b.png"
+clash --heat --stats --heat --stats "$scratch/link/../$(basename "$scratch")/b.tests.png"
+clash --heat --export-pov --heat --export-pov "$scratch/b.stages.png"
+clash --against --stats --against sf-float --stats "$scratch/b.diff.png"
+clash --against --export-pov --against sf-float --export-pov "$scratch/b.cases.jsonl"
+clash --export-pov --stats --export-pov "$scratch/b.pov" --stats "$scratch/b.ids.png"
+clash --export-pov --stats --export-pov "$scratch/b.pov" --stats "$scratch/b.pov"
+(cd "$scratch" && expect 2 render "$SOURCE_DIR/data/scenes/paper-2a.json" --method sf-double -o b.png --stats ./b.png && says err './b.png')
+expect 0 render data/scenes/paper-2a.json --method sf-double --against sf-float --heat -o "$scratch/b.png" --export-pov "$scratch/b.pov" --stats "$scratch/b.json"
+for file in b.png b.tests.png b.stages.png b.diff.png b.cases.jsonl b.pov b.ids.png b.json; do says out "/$file" && [ -e "$scratch/$file" ]; done
+rm "$scratch"/b.*
+echo '{"camera":{"eye":[0,0,9],"look_at":[0,0,0],"up":[0,1,0],"fov":40,"width":9,"height":9},"solids":[{"solid":"'"$SOURCE_DIR"'/data/solids/gear.json"}]}' >"$scratch/gear.json"
+expect 0 render "$scratch/gear.json" --method sf-double -o "$scratch/gear.png" && says out ', 1 solid, ' && says out ': 1 of 1 solid'
+
+
 expect 3 render no/such/scene.json --method sf-double -o "$scratch/b.png"
 [ ! -e "$scratch/b.png" ]
 expect 2 render data/scenes/cube-grid.json --method sf-double --accel octree -o "$scratch/b.png"
 expect 5 render data/scenes/cube-grid.json --method sf-double -o /dev/full
+expect 2 render data/scenes/cube-grid.json --method sf-double -o /dev/full --heat && says err 'ends in .png'
 
 # What cannot be written is said before the work; polygon tests draw scenes without triangles.
-expect 2 render data/scenes/cube-grid.json --method sf-double -o "$scratch/b.jpg" && says err 'ends in .png'
+for name in b.jpg b -; do expect 2 render data/scenes/cube-grid.json --method sf-double -o "$scratch/$name" && says err 'ends in .png'; done
 expect 5 render data/scenes/cube-grid.json --method sf-double -o "$scratch/c.png" --stats "$scratch/none/c.json"
 [ ! -e "$scratch/c.png" ]
 expect 2 render data/scenes/paper-2a.json --method haines-double -o "$scratch/b.png" && says err 'takes no triangles, and the scene has 14'

@@ -50,6 +50,23 @@ class CertificateTest : public testing::Test {
     write_certificate(directory_, log);
   }
 
+  /// One digit of the log at a time, in steps of so many bytes, is changed: each breaks the chain.
+  void expect_edits_noticed(std::size_t step) {
+    const std::string log = read_file(file("log.jsonl"));
+    int edited = 0;
+    for (std::size_t i = 0; i < log.size(); i += step) {
+      const std::size_t digit = log.find_first_of("0123456789", i);
+      if (digit == std::string::npos) break;
+      std::string changed = log;
+      changed[digit] = changed[digit] == '9' ? '8' : static_cast<char>(changed[digit] + 1);
+      write_file(file("log.jsonl"), changed);
+      EXPECT_THROW(read_log(file("log.jsonl")), Failure) << "at byte " << digit;
+      ++edited;
+    }
+    EXPECT_GT(edited, 50);
+    write_file(file("log.jsonl"), log);
+  }
+
   std::string directory_;
 };
 
@@ -73,8 +90,15 @@ TEST_F(CertificateTest, RefutesDoubleAndSaysWhy) {
   for (const Gap& gap : c.gaps) EXPECT_TRUE(gap.explained) << gap.what;
   EXPECT_TRUE(verify(directory_).faults.empty());
   EXPECT_EQ(verify(directory_).confirmed, c.counterexamples.size());
+
+  const std::string& set = c.proved[0].name;
+  EXPECT_NE(to_summary(c).find("  proved   " + set + ": 0 wrong of 93888"), std::string::npos);
+  Certificate wrong_in_set = c;
+  wrong_in_set.proved[0].count.wrong = 896;
+  EXPECT_NE(to_summary(wrong_in_set).find("  refuted  " + set + ": 896 wrong of 93888"), std::string::npos);
 }
 
+/// It refutes by itself, and leaves the sample and its bounds as they are without it.
 TEST_F(CertificateTest, ACaseOfTheUsersOwnRefutesToo) {
   Case own;
   own.id = "mine";
@@ -84,28 +108,48 @@ TEST_F(CertificateTest, ACaseOfTheUsersOwnRefutesToo) {
   lazy.segment = [](const Segment& s, const Triangle& t) {
     return s.q == Point3(0.5, 0.25, 1) ? miss() : find_method("sf-epick")->segment(s, t);
   };
-  const Certificate c =
-      write({.method = lazy, .budget = tiny, .threads = 2, .cases = {own}, .truths = {exact_truth(own.query)}});
-  EXPECT_EQ(c.sampled().wrong, 1U);
+  CertifyPlan plan{.method = lazy, .budget = tiny, .threads = 2};
+  const Certificate without = write(plan);
+  plan.cases = {own};
+  plan.truths = {exact_truth(own.query)};
+  const Certificate c = write(plan);
+  EXPECT_EQ(without.verdict, Verdict::not_refuted);
   EXPECT_EQ(c.verdict, Verdict::refuted);
-  EXPECT_FALSE(verify(directory_).asked_again) << "an unknown method";
+  EXPECT_EQ(c.own().asked, 1U);
+  EXPECT_EQ(c.own().wrong, 1U);
+  EXPECT_EQ(c.sampled(), without.sampled());
+  const Json with_own = to_json(c);
+  EXPECT_EQ(with_own["sampled"], to_json(without)["sampled"]);
+  EXPECT_FALSE(to_json(without).contains("own_cases"));
+  ASSERT_EQ(with_own["own_cases"].size(), 1U);
+  EXPECT_EQ(with_own["own_cases"][0]["n"], 1);
+  EXPECT_EQ(with_own["own_cases"][0]["k"], 1);
+  EXPECT_FALSE(with_own["own_cases"][0].contains("upper_95")) << "no bound follows from chosen cases";
+  EXPECT_NE(to_markdown(c).find("- binary64: 1 wrong of 1 (100 %)"), std::string::npos);
+  EXPECT_FALSE(verify(directory_).asked_again);
+  EXPECT_EQ(verify(directory_).not_asked, "the method is not known here");
 }
 
 /// Every digit of every record's counts, changed alone, breaks the chain.
 TEST_F(CertificateTest, ANumberEditedInTheLogIsNoticed) {
   write({.method = method("sf-float"), .budget = {"tiny", 1, false}, .threads = 2});
-  const std::string log = read_file(file("log.jsonl"));
-  int edited = 0;
-  for (std::size_t i = 0; i < log.size(); i += 997) {
-    const std::size_t digit = log.find_first_of("0123456789", i);
-    if (digit == std::string::npos) break;
-    std::string changed = log;
-    changed[digit] = changed[digit] == '9' ? '8' : static_cast<char>(changed[digit] + 1);
-    write_file(file("log.jsonl"), changed);
-    EXPECT_THROW(read_log(file("log.jsonl")), Failure) << "at byte " << digit;
-    ++edited;
-  }
-  EXPECT_GT(edited, 50);
+  expect_edits_noticed(997);
+}
+
+/// One's own cases are no sample: a log in which nothing else is left has a hole, unless it never had sets.
+TEST_F(CertificateTest, ADroppedSampleMakesAHole) {
+  Case own;
+  own.id = "mine";
+  own.query = {Segment{{0.5, 0.25, 0}, {0.5, 0.25, 1}}, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+  write({.method = method("sf-rational"),
+         .budget = {"tiny", 1, false},
+         .threads = 2,
+         .cases = {own},
+         .truths = {exact_truth(own.query)}});
+  forge([](std::vector<Json>& records) {
+    std::erase_if(records, [](const Json& r) { return r.contains("family") && r["family"] != own_cases; });
+  });
+  EXPECT_EQ(verify(directory_).certificate.verdict, Verdict::incomplete);
 }
 
 TEST_F(CertificateTest, ALogCutShortIsNoticed) {
@@ -217,25 +261,13 @@ TEST_F(CertificateTest, OfPolygonsFindsAPlantedBug) {
     if (s.count.wrong == 0) continue;
     EXPECT_NE(slot_name(s.slot).find("edge"), std::string::npos) << slot_name(s.slot);
   }
-  EXPECT_FALSE(verify(directory_).asked_again) << "an unknown method";
+  EXPECT_EQ(verify(directory_).not_asked, "the method is not known here");
 }
 
 /// Every digit counts: in the log, in what is made of it, and a stratum dropped with the chain made anew.
 TEST_F(CertificateTest, OfPolygonsIsHeldAgainstItsLog) {
   write_polygons("sf-epick", 3);
-  const std::string log = read_file(file("log.jsonl"));
-  int edited = 0;
-  for (std::size_t i = 0; i < log.size(); i += 4999) {
-    const std::size_t digit = log.find_first_of("0123456789", i);
-    if (digit == std::string::npos) break;
-    std::string changed = log;
-    changed[digit] = changed[digit] == '9' ? '8' : static_cast<char>(changed[digit] + 1);
-    write_file(file("log.jsonl"), changed);
-    EXPECT_THROW(read_log(file("log.jsonl")), Failure) << "at byte " << digit;
-    ++edited;
-  }
-  EXPECT_GT(edited, 50);
-  write_file(file("log.jsonl"), log);
+  expect_edits_noticed(4999);
   forge([](std::vector<Json>& records) {
     for (Json& r : records) {
       if (r["record"] == "sample" && r["method"] == "sf-epick" && r["counts"].contains("dart / outer edge / to")) {

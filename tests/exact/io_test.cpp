@@ -94,6 +94,8 @@ TEST_F(CaseFile, BadInputIsOneLineWithFileAndLine) {
       {"[1]", ":1: expected an object"},
       {R"({"seg":[[0,0,1],[0,0,-1]],"tri":[[0,0,0],[1,0,0],[0,1,0]]})", ":1: missing \"id\""},
       {R"({"id":"a","sag":[[0,0,1],[0,0,-1]]})", ":1: unknown key \"sag\", did you mean \"seg\"?"},
+      {R"({"id":"a","zzz":1})",
+       ":1: unknown key \"zzz\", expected one of id, fmt, seg, ray, tri, rings, expect, class"},
       {R"({"id":"a","tri":[[0,0,0],[1,0,0],[0,1,0]]})", ":1: expected exactly one of \"seg\" and \"ray\""},
       {R"({"id":7,"seg":[[0,0,1],[0,0,-1]],"tri":[[0,0,0],[1,0,0],[0,1,0]]})", ":1: id: expected a string"},
       {R"({"id":"a","seg":[[0,0,1]],"tri":[[0,0,0],[1,0,0],[0,1,0]]})", ":1: seg: expected 2 points"},

@@ -65,6 +65,44 @@ TEST(PolygonRelations, AreAskedWithinTheContractOnly) {
   }
 }
 
+/// A method that promises nothing where a ring edge is met is judged there neither across the polygon nor in its plane,
+/// whatever its convention; in the plane beside the edges it is.
+TEST(PolygonJudge, TheBoundaryIsMetInThePlaneToo) {
+  const PolygonData square = PolygonData{}.add(std::vector<Point3>{{0, 0, 0}, {9, 0, 0}, {9, 9, 0}, {0, 9, 0}});
+  const PolygonData two_points = PolygonData{}.add(std::vector<Point3>{{0, 0, 0}, {2, 0, 0}});
+  struct Row {
+    Segment segment;
+    const PolygonData* polygon;
+    Contact contact;
+    bool boundary;
+  };
+  const Row rows[] = {{{{1, 1, 0}, {12, 1, 0}}, &square, Contact::coplanar, true},
+                      {{{9, 3, 0}, {9, 3, 0}}, &square, Contact::coplanar, true},
+                      {{{1, 0, 1}, {1, 0, -1}}, &two_points, Contact::coplanar, true},
+                      {{{9, 3, 1}, {9, 3, -1}}, &square, Contact::edge, true},
+                      {{{9, 9, 1}, {9, 9, -1}}, &square, Contact::vertex, true},
+                      {{{1, 1, 0}, {2, 1, 0}}, &square, Contact::coplanar, false},
+                      {{{1, 1, 1}, {1, 1, -1}}, &square, Contact::interior, false},
+                      {{{10, 1, 0}, {12, 1, 0}}, &square, Contact::none, false}};
+  for (const Row& row : rows) {
+    const PolygonTruth truth = exact_truth(PolygonQuery{row.segment, *row.polygon});
+    EXPECT_EQ(truth.contact, row.contact);
+    EXPECT_EQ(truth.boundary, row.boundary);
+    for (const Convention convention : {Convention::closed, Convention::transversal}) {
+      Method m{};
+      m.convention = convention;
+      m.polygon_promise.boundary = false;
+      const bool due = counts_as_hit(truth.contact, convention);
+      const Judgement otherwise = row.boundary ? Judgement::unsupported : Judgement::wrong;
+      const Judgement rightly = row.boundary ? Judgement::unsupported : Judgement::right;
+      EXPECT_EQ(judge(m, truth, {due ? hit_at(Contact::unsaid) : miss()}), rightly);
+      EXPECT_EQ(judge(m, truth, {due ? miss() : hit_at(Contact::unsaid)}), otherwise);
+      m.polygon_promise.boundary = true;
+      EXPECT_EQ(judge(m, truth, {due ? miss() : hit_at(Contact::unsaid)}), Judgement::wrong);
+    }
+  }
+}
+
 /// The triangle, as a ring of three and in rings that take the covering.
 TEST(PolygonRelations, ATriangleAsPolygonIsTheTriangle) {
   const RationalKernel k;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/segura_feito_polygon.h"
+#include "exact/polygon/judge.h"
 #include "exact/polygon/small_scope.h"
 
 namespace tribunal {
@@ -28,6 +29,25 @@ TEST(PolygonSmallScope, AllRingsOnTheGrid) {
   EXPECT_EQ(scope.queries, 138'468U * (49 + 45));
   EXPECT_EQ(scope.different, 0U);
   EXPECT_EQ(scope.contradictions, 0U);
+}
+
+/// What the grid's integers say of contact and boundary is what the oracles say.
+TEST(PolygonSmallScope, KnowsContactAndBoundary) {
+  small_scope_detail::Scope scope(1);
+  std::uint64_t rings = 0, coplanar_on_boundary = 0, coplanar_inside = 0;
+  const auto ask = [&](const small_scope_detail::Cells& ring) {
+    if (++rings % 211 != 0) return;
+    const PolygonData& polygon = scope.place({ring});
+    scope.visit_cases({ring}, rings, [&](const Segment& s, Contact due, bool boundary) {
+      const PolygonTruth truth = exact_truth(PolygonQuery{s, polygon});
+      EXPECT_EQ(truth.contact, due);
+      EXPECT_EQ(truth.boundary, boundary);
+      if (due == Contact::coplanar) ++(boundary ? coplanar_on_boundary : coplanar_inside);
+    });
+  };
+  for (int n = 3; n <= 5; ++n) small_scope_detail::for_each_ring(n, Start::lowest, ask);
+  EXPECT_GT(coplanar_on_boundary, 500U);
+  EXPECT_GT(coplanar_inside, 0U);
 }
 
 TEST(PolygonSmallScope, AllQuadrilateralsWithTriangularHoles) {

@@ -36,6 +36,7 @@ TEST(Topology, ATetrahedronIsClosedAndOriented) {
   EXPECT_EQ(t.edges, 6u);
   EXPECT_TRUE(t.closed() && t.oriented());
   EXPECT_EQ(t.crowded, 0u);
+  EXPECT_TRUE(t.sound());
   EXPECT_EQ(describe(t), "closed, oriented");
 }
 
@@ -43,6 +44,7 @@ TEST(Topology, FacesThatAllLookInwards) {
   Mesh mesh = tetrahedron();
   for (auto& t : mesh.triangles) std::swap(t[0], t[1]);
   EXPECT_EQ(describe(topology_of(mesh)), "closed, oriented, but its faces look inwards");
+  EXPECT_FALSE(topology_of(mesh).sound());
   for (Point3& v : mesh.vertices) v += Point3(0x1p40);
   EXPECT_TRUE(topology_of(mesh).inward);
 }
@@ -60,7 +62,7 @@ TEST(Topology, AMissingFaceOpensThreeEdges) {
   mesh.triangles.pop_back();
   const Topology t = topology_of(mesh);
   EXPECT_EQ(t.odd, 3u);
-  EXPECT_FALSE(t.closed() || t.oriented());
+  EXPECT_FALSE(t.closed() || t.oriented() || t.sound());
   EXPECT_EQ(describe(t), "open: 3 of 6 edges with an odd number of faces");
 }
 
@@ -70,6 +72,7 @@ TEST(Topology, AFaceTurnedAroundIsClosedButNotOriented) {
   const Topology t = topology_of(mesh);
   EXPECT_TRUE(t.closed());
   EXPECT_EQ(t.unmatched, 3u);
+  EXPECT_FALSE(t.sound());
   EXPECT_EQ(describe(t), "closed; faces turn against each other along 3 of 6 edges");
 }
 
@@ -82,6 +85,7 @@ TEST(Topology, TwoSolidsAlongAnEdgeAreClosedOrientedAndNonManifold) {
   const Topology t = topology_of(mesh);
   EXPECT_EQ(t.crowded, 1u);
   EXPECT_TRUE(t.closed() && t.oriented());
+  EXPECT_FALSE(t.sound());
 }
 
 TEST(Topology, HolesOfPolygonsHaveEdgesToo) {

@@ -101,8 +101,8 @@ int run_verify(const std::string& directory) {
   print(std::string(v.faults.empty() ? "verified" : "NOT VERIFIED") + ": " + c.method() + " " + name_of(c.verdict) +
         "; " + std::to_string(v.confirmed) + " of " + std::to_string(c.counterexamples.size()) +
         " counterexamples confirmed by exact arithmetic; " +
-        (v.asked_again > 0 ? "asked again on " + std::to_string(v.asked_again) + " cases"
-                           : "not asked again: the method is not known here") +
+        (v.not_asked.empty() ? "asked again on " + std::to_string(v.asked_again) + " cases"
+                             : "not asked again: " + v.not_asked) +
         "\nlog sha256 " + c.log_head + "\n");
   return code(v.faults.empty() ? Exit::ok : Exit::disagreement);
 }
@@ -120,7 +120,8 @@ Action declare_certify(CLI::App& app) {
       ->capture_default_str();
   app.add_flag("--polygons", o->polygons,
                "certify its test of polygons instead of that of triangles (a method without the latter needs no word)");
-  app.add_option("--cases", o->cases, "case file of your own, judged with the rest; with --polygons of rings");
+  app.add_option("--cases", o->cases,
+                 "case file of your own, judged and reported beside the rest; with --polygons of rings");
   app.add_option("--mesh", o->mesh, "mesh of your own (OFF, OBJ, PLY, STL): segments are aimed at its triangles");
   app.add_option("--seed", o->seed, "seed of the sample")->check(whole_number())->capture_default_str();
   add_threads_option(app, o->threads);
@@ -131,7 +132,7 @@ Action declare_certify(CLI::App& app) {
 
 Action declare_verify(CLI::App& app) {
   const auto directory = std::make_shared<std::string>();
-  app.add_option("DIR", *directory, "what certify --out wrote")->required();
+  app.add_option("DIR", *directory, "what certify --out or judge --out wrote")->required();
   return with_plugins(app, [directory] { return run_verify(*directory); });
 }
 

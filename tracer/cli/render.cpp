@@ -141,13 +141,16 @@ std::string formatted(const char* format, auto... values) {
 
 unsigned long long whole(std::uint64_t n) { return n; }
 
+/// "1 solid", "2 solids".
+std::string counted(std::size_t n, const char* what) { return std::to_string(n) + " " + what + (n == 1 ? "" : "s"); }
+
 std::string describe(const World& world, const Options& o, int depth) {
   const Camera& c = world.scene->camera;
   const std::size_t polygons = world.polygons.size();
   std::string text =
-      formatted("%s: %d x %d pixels, %zu solids, %zu triangles, %zu polygons, %zu lights, depth %d, accel %s\n",
-                o.scene.c_str(), c.width, c.height, world.scene->solids.size(), world.triangles.size() - polygons,
-                polygons, world.scene->lights.size(), depth, o.accel.c_str());
+      o.scene + formatted(": %d x %d pixels, ", c.width, c.height) + counted(world.scene->solids.size(), "solid") +
+      ", " + counted(world.triangles.size() - polygons, "triangle") + ", " + counted(polygons, "polygon") + ", " +
+      counted(world.scene->lights.size(), "light") + formatted(", depth %d, accel %s\n", depth, o.accel.c_str());
   if (world.format == Format::binary32) {
     text += "vertices and rays are rounded to binary32 before any method sees them: differences are the methods' own\n";
   }
@@ -160,17 +163,15 @@ std::string describe_solids(const Scene& scene, const std::vector<Topology>& top
   std::string text;
   std::size_t sound = 0, others = 0;
   for (std::size_t i = 0; i < scene.solids.size(); ++i) {
-    const std::string said = describe(topologies[i]);
-    if (said == "closed, oriented") {
+    if (topologies[i].sound()) {
       ++sound;
     } else if (++others <= most) {
-      text += scene.solids[i].name + ": " + said + "\n";
+      text += scene.solids[i].name + ": " + describe(topologies[i]) + "\n";
     }
   }
-  if (others > most) text += formatted("and %zu solids more, see --stats\n", others - most);
-  return formatted("%zu of %zu solids are closed, oriented and manifold along their edges\n", sound,
-                   scene.solids.size()) +
-         text;
+  if (others > most) text += "and " + counted(others - most, "solid") + " more, see --stats\n";
+  return formatted("closed, oriented outwards, manifold along all edges: %zu of ", sound) +
+         counted(scene.solids.size(), "solid") + "\n" + text;
 }
 
 Json to_json(const Solid& solid, const Topology& t) {
@@ -214,6 +215,7 @@ std::string describe(const Findings& f, const Options& o, std::size_t pixels) {
                     f.by_kind[0], f.by_kind[1], f.by_kind[2] + f.by_kind[3], f.by_kind[2], f.by_kind[3]);
   text += formatted("of these, only the order of hits differs: %zu; only the starts of the rays differ: %zu\n",
                     f.order_only, f.starts);
+  text += formatted("written as cases: %zu\n", f.cases.size());
   if (f.examined < f.pixels.size()) text += formatted("(of the first %zu pixels; see --max-cases)\n", f.examined);
   return text;
 }
@@ -234,16 +236,34 @@ void require_faces(const Method& method, const World& world) {
   throw Failure(Exit::usage, method.name + " " + what + " (its contract: " + method.contract + ")");
 }
 
-/// Found before the work is done, not after.
-void require_writable(const Options& o) {
-  if (o.out == "-") throw Failure(Exit::usage, "-o: expected a file name, found \"-\"");
-  const std::filesystem::path kind = std::filesystem::path(o.out).extension();
-  if (!kind.empty() && kind != ".png") {
+/// The files that the options ask for, in the order in which they are written.
+std::vector<Output> outputs_of(const Options& o) {
+  std::vector<Output> all{{"-o", o.out}};
+  const auto add = [&](const char* option, const std::string& file) { all.push_back({option, file}); };
+  if (o.heat) {
+    add("--heat", beside(o.out, ".tests.png"));
+    add("--heat", beside(o.out, ".stages.png"));
+  }
+  if (!o.against.empty()) {
+    add("--against", beside(o.out, ".diff.png"));
+    add("--against", beside(o.out, ".cases.jsonl"));
+  }
+  if (!o.pov.empty()) {
+    add("--export-pov", o.pov);
+    add("--export-pov", beside(o.pov, ".ids.png"));
+  }
+  if (!o.stats.empty()) add("--stats", o.stats);
+  return all;
+}
+
+/// Found before the work is done, not after. A device may stand for a picture from which no other file takes its name.
+void require_writable(const Options& o, const std::vector<Output>& outputs) {
+  const bool names_others = o.heat || !o.against.empty();
+  if (std::filesystem::path(o.out).extension() != ".png" && (names_others || !is_special(o.out))) {
     throw Failure(Exit::usage, "-o: expected a name that ends in .png, found \"" + o.out + "\"");
   }
-  if (o.stats == o.out) throw Failure(Exit::usage, "--stats: the same file as -o");
-  for (const std::string& file : {o.out, o.stats, o.pov}) {
-    if (file.empty()) continue;
+  require_distinct(outputs);
+  for (const auto& [option, file] : outputs) {
     require_different(o.scene, file);
     const std::filesystem::path folder = std::filesystem::path(file).parent_path();
     if (!folder.empty() && !std::filesystem::is_directory(folder)) {
@@ -252,11 +272,19 @@ void require_writable(const Options& o) {
   }
 }
 
+/// "a.png, a.diff.png"
+std::string names_of(const std::vector<Output>& outputs) {
+  std::string text;
+  for (const Output& o : outputs) text += (text.empty() ? "" : ", ") + o.file;
+  return text;
+}
+
 int run(const Options& o) {
   const tbb::global_control builders(tbb::global_control::max_allowed_parallelism, o.threads);
   std::vector<Method> methods{method_named(o.method)};
   if (!o.against.empty()) methods.push_back(method_named(o.against));
-  require_writable(o);
+  const std::vector<Output> outputs = outputs_of(o);
+  require_writable(o, outputs);
   const Scene scene = read_scene(o.scene);
   const auto is_binary32 = [](const Method& m) { return m.format == Format::binary32; };
   const bool narrow = std::any_of(methods.begin(), methods.end(), is_binary32);
@@ -288,7 +316,6 @@ int run(const Options& o) {
   }
   for (std::size_t i = 0; i < methods.size(); ++i) report += describe_starts(methods[i], renderings[i].tally);
   write_file(o.out, to_png(renderings[0].image));
-  std::string written = o.out;
   if (o.heat) {
     write_file(beside(o.out, ".tests.png"), to_png(tests_heat_map(renderings[0])));
     write_file(beside(o.out, ".stages.png"), to_png(stages_heat_map(renderings[0])));
@@ -296,7 +323,6 @@ int run(const Options& o) {
         "heat maps: white is %llu tests a pixel (logarithmic); the deepest stage is filter (blue), "
         "expansion (orange), exact (white)\n",
         whole(greatest_tests(renderings[0])));
-    written += ", " + beside(o.out, ".tests.png") + ", " + beside(o.out, ".stages.png");
   }
   if (methods.size() == 2) {
     const Findings f = examine(world, methods[0], methods[1], renderings[0], renderings[1], depth, o.max_cases);
@@ -304,17 +330,14 @@ int run(const Options& o) {
     write_file(beside(o.out, ".diff.png"), to_png(difference_image(renderings[0].image, f.pixels)));
     write_file(beside(o.out, ".cases.jsonl"), to_lines(f.cases));
     report += describe(f, o, renderings[0].image.pixels.size());
-    written += ", " + beside(o.out, ".diff.png") + ", " + beside(o.out, ".cases.jsonl") + " (" +
-               std::to_string(f.cases.size()) + " cases)";
   }
   if (!o.pov.empty()) {
     const World triangles = make_world(scene, world.format, Accel::bvh, Faces::triangulated);
     write_file(o.pov, to_pov(triangles, depth));
     write_file(beside(o.pov, ".ids.png"), to_png(ids_image(triangles, methods[0])));
-    written += ", " + o.pov + ", " + beside(o.pov, ".ids.png");
   }
   if (!o.stats.empty()) write_file(o.stats, stats.dump(2) + "\n");
-  print(report + "\nwritten: " + written + (o.stats.empty() ? "" : ", " + o.stats) + "\n");
+  print(report + "\nwritten: " + names_of(outputs) + "\n");
   return code(Exit::ok);
 }
 

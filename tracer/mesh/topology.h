@@ -22,6 +22,9 @@ struct Topology {
 
   /// All faces around see their outside, or all their inside, on the same side.
   bool oriented() const { return closed() && unmatched == 0; }
+
+  /// Closed, oriented, not inwards, and manifold along every edge: nothing to say of it. (Vertices are not looked at.)
+  bool sound() const { return oriented() && !inward && crowded == 0; }
 };
 
 /// Cost: n log n in the number of edges.
