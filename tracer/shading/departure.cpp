@@ -46,10 +46,9 @@ std::optional<Point3> Departures::near_candidate(const Landing& at, int k) const
 
 /// From the origin. Neither the face that was hit matters, if the candidate lies on the origin's side of it, nor the
 /// one that the ray left behind, if the candidate does so too.
-void Departures::add_way_to(const Landing& at, const Point3& candidate) {
+void Departures::lead_to(const Point3& candidate, const Landing& at, SegmentQuestion& q) {
   const Behind& b = at.behind;
   const bool stays = b.face != no_face && side_of(b.face, candidate) == b.side;
-  SegmentQuestion& q = ways_.emplace_back();
   q.way.p = at.origin;
   q.way.q = candidate;
   q.apart[0] = at.face;
@@ -60,54 +59,60 @@ bool Departures::is_near_start(const Landing& at, const Point3& candidate, int s
   ++tally_.start_candidates;
   if (side_of(at.face, candidate) != side) return false;
   if (candidate == at.origin) return true;
-  add_way_to(at, candidate);
-  const SegmentQuestion q = ways_.back();
-  ways_.pop_back();
+  SegmentQuestion q;
+  lead_to(candidate, at, q);
   return !visibility_.meets_any(q.way, q.apart);
 }
 
 /// From the k-th candidate on, one by one; the origin is the last.
-Start Departures::search_near(const Landing& at, int side, int k) {
-  for (bool last = side == 0; !last; ++k) {
-    const std::optional<Point3> candidate = near_candidate(at, k);
-    const Point3 point = candidate.value_or(at.origin);
-    if (is_near_start(at, point, side)) return {point, side};
+void Departures::search_near(NearQuestion& q, int side, int k) {
+  const RayTally before = tally_;
+  q.start.side = 0;
+  for (bool last = side == 0; !last && q.start.side == 0; ++k) {
+    const std::optional<Point3> candidate = near_candidate(*q.at, k);
+    q.start.point = candidate.value_or(q.at->origin);
+    if (is_near_start(*q.at, q.start.point, side)) q.start.side = side;
     last = !candidate;
   }
-  ++tally_.starts_unproved;
-  return {customary(at, 1)};
+  if (q.start.side == 0) {
+    ++tally_.starts_unproved;
+    q.start.point = customary(*q.at, 1);
+  }
+  q.cost += cost_between(before, tally_);
+}
+
+/// The first candidate, if it is to be asked about.
+bool Departures::propose_near(NearQuestion& q) {
+  q.start.side = side_of(q.at->face, q.at->origin);
+  if (q.start.side == 0) return false;
+  const std::optional<Point3> candidate = near_candidate(*q.at, 0);
+  if (!candidate || *candidate == q.at->origin || side_of(q.at->face, *candidate) != q.start.side) return false;
+  q.start.point = *candidate;
+  return true;
 }
 
 /// All first candidates are asked together; who needs another goes on alone.
 void Departures::near_sides(std::span<NearQuestion> questions) {
   tally_.starts += questions.size();
+  if (!proves_) {
+    for (NearQuestion& q : questions) q.start = {customary(*q.at, 1)};
+    return;
+  }
   ways_.clear();
+  askers_.clear();
   for (NearQuestion& q : questions) {
-    const Landing& at = *q.at;
-    if (!proves_) q.start = {customary(at, 1)};
-    if (!proves_) continue;
-    q.start.point = at.origin;
-    q.start.side = side_of(at.face, at.origin);
-    const std::optional<Point3> candidate = near_candidate(at, 0);
-    if (q.start.side == 0 || !candidate || *candidate == at.origin || side_of(at.face, *candidate) != q.start.side)
-      continue;
-    q.start.point = *candidate;
-    add_way_to(at, *candidate);
+    if (propose_near(q)) {
+      lead_to(q.start.point, *q.at, ways_.emplace_back());
+      askers_.push_back(&q);
+    } else {
+      search_near(q, q.start.side, 0);
+    }
   }
   visibility_.met(ways_);
-  const SegmentQuestion* way = ways_.data();
-  for (NearQuestion& q : questions) {
-    if (!proves_) continue;
-    const bool asked = q.start.point != q.at->origin;
-    tally_.start_candidates += asked;
-    const RayTally before = tally_;
-    if (!asked) {
-      q.start = search_near(*q.at, q.start.side, 0);
-    } else if (way->met) {
-      q.start = search_near(*q.at, q.start.side, 1);
-    }
-    q.cost += cost_between(before, tally_);
-    if (asked) q.cost += (way++)->cost;
+  tally_.start_candidates += ways_.size();
+  for (std::size_t i = 0; i < ways_.size(); ++i) {
+    askers_[i]->cost += ways_[i].cost;
+    if (ways_[i].met) search_near(*askers_[i], askers_[i]->start.side, 1);
   }
 }
 
@@ -148,33 +153,42 @@ bool Departures::is_far_start(const Landing& at, const Point3& near, const Point
 }
 
 /// From the k-th candidate on, one by one.
-Start Departures::search_far(const FarQuestion& q, int side, int k) {
-  for (; side != 0 && k < 5 * (doublings + 1); ++k) {
+void Departures::search_far(FarQuestion& q, int side, int k) {
+  const RayTally before = tally_;
+  q.start = {};
+  for (; side != 0 && q.start.side == 0 && k < 5 * (doublings + 1); ++k) {
     const Point3 candidate = far_candidate(*q.at, k);
-    if (is_far_start(*q.at, q.near.point, candidate, side)) return {candidate, -side};
+    if (is_far_start(*q.at, q.near.point, candidate, side)) q.start = {candidate, -side};
   }
-  ++tally_.starts_unproved;
-  return q.near;
+  if (q.start.side == 0) {
+    ++tally_.starts_unproved;
+    q.start = q.near;
+  }
+  q.cost += cost_between(before, tally_);
 }
 
 void Departures::far_sides(std::span<FarQuestion> questions) {
   tally_.starts += questions.size();
-  ways_.clear();
-  for (FarQuestion& q : questions) {
-    q.start.point = proves_ ? far_candidate(*q.at, 0) : customary(*q.at, -1);
-    if (proves_) ways_.push_back({{q.near.point, q.start.point}, {q.at->face, no_face}});
+  if (!proves_) {
+    for (FarQuestion& q : questions) q.start = {customary(*q.at, -1)};
+    return;
   }
+  ways_.clear();
+  for (FarQuestion& q : questions) ways_.push_back({{q.near.point, far_candidate(*q.at, 0)}, {q.at->face, no_face}});
   visibility_.met(ways_);
+  tally_.start_candidates += ways_.size();
   for (std::size_t i = 0; i < ways_.size(); ++i) {
     FarQuestion& q = questions[i];
-    const int side = side_of(q.at->face, q.near.point);
-    const RayTally before = tally_;
-    ++tally_.start_candidates;
-    const bool proved = side != 0 && !ways_[i].met && side_of(q.at->face, q.start.point) == -side &&
-                        visibility_.passes_through(ways_[i].way, q.at->face);
-    q.start = proved ? Start{q.start.point, -side} : search_far(q, side, 1);
-    q.cost += cost_between(before, tally_);
+    const Segment& way = ways_[i].way;
     q.cost += ways_[i].cost;
+    const int side = side_of(q.at->face, way.p);
+    const bool beyond = side != 0 && !ways_[i].met && side_of(q.at->face, way.q) == -side;
+    q.cost.tests += beyond;
+    if (beyond && visibility_.passes_through(way, q.at->face)) {
+      q.start = {way.q, -side};
+    } else {
+      search_far(q, side, 1);
+    }
   }
 }
 

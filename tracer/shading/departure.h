@@ -97,9 +97,10 @@ class Departures {
   Point3 customary(const Landing& at, double side) const;
   std::optional<Point3> near_candidate(const Landing& at, int k) const;
   Point3 far_candidate(const Landing& at, int k) const;
-  Start search_near(const Landing& at, int side, int k);
-  Start search_far(const FarQuestion& q, int side, int k);
-  void add_way_to(const Landing& at, const Point3& candidate);
+  bool propose_near(NearQuestion& q);
+  void search_near(NearQuestion& q, int side, int k);
+  void search_far(FarQuestion& q, int side, int k);
+  void lead_to(const Point3& candidate, const Landing& at, SegmentQuestion& q);
   bool is_near_start(const Landing& at, const Point3& candidate, int side);
   bool is_far_start(const Landing& at, const Point3& near, const Point3& candidate, int side);
   double smallest_step(const Landing& at) const;
@@ -112,6 +113,7 @@ class Departures {
   KnownFaces& faces_;
   RayTally& tally_;
   std::vector<SegmentQuestion> ways_;  ///< to first candidates
+  std::vector<NearQuestion*> askers_;  ///< whose
 };
 
 }  // namespace tribunal
