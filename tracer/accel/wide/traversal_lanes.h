@@ -86,19 +86,31 @@ class WaitingNodes {
 };
 
 /// Asks for the first cache lines of a node or leaf that will be wanted.
-HWY_INLINE void prefetch(const WideTree& tree, NodeRef r) {
-  const void* const start = r.is_leaf() ? static_cast<const void*>(tree.columns(r)) : tree.nodes() + r.index();
-  for (std::size_t offset = 0; offset < 256; offset += cache_line)
-    hwy::Prefetch(static_cast<const char*>(start) + offset);
-}
+class Prefetcher {
+ public:
+  explicit Prefetcher(const WideTree& tree)
+      : start_{as_bytes(tree.nodes()), as_bytes(tree.columns(NodeRef::leaf(0, 1)))} {}
+
+  /// Without a branch, which nothing would foretell.
+  HWY_INLINE void operator()(NodeRef r) const {
+    static constexpr std::size_t size[] = {sizeof(WideNode), column_count * sizeof(double)};
+    const char* const wanted = start_[r.is_leaf()] + size[r.is_leaf()] * r.first();
+    for (std::size_t offset = 0; offset < 256; offset += cache_line) hwy::Prefetch(wanted + offset);
+  }
+
+ private:
+  static const char* as_bytes(const void* p) { return static_cast<const char*>(p); }
+
+  const char* start_[2];
+};
 
 /// Pushes the children that are met; the one entered first is returned. Not for none.
-HWY_INLINE std::uint64_t first_of(const WideTree& tree, const WideNode& node, unsigned met, const float* entry,
+HWY_INLINE std::uint64_t first_of(const Prefetcher& prefetch, const WideNode& node, unsigned met, const float* entry,
                                   WaitingNodes& waiting) {
   const auto next = [&] {
     const auto k = static_cast<std::size_t>(std::countr_zero(met));
     met &= met - 1;
-    prefetch(tree, node.child[k]);
+    prefetch(node.child[k]);
     return WaitingNodes::key(entry[k], node.child[k]);
   };
   const std::uint64_t a = next();
@@ -122,6 +134,7 @@ HWY_INLINE void walk(const WideTree& tree, const WideProbe& probe, const Finder&
                      const Leaf& leaf) {
   if (tree.empty()) return;
   const BoxLanes lanes(probe);
+  const Prefetcher prefetch(tree);
   const WideNode* const nodes = tree.nodes();
   WaitingNodes waiting;
   NodeRef at = tree.root();
@@ -135,7 +148,7 @@ HWY_INLINE void walk(const WideTree& tree, const WideProbe& probe, const Finder&
       counts.boxes += node_width;
       const unsigned met = lanes.entered(node, finder.limit, entry);
       descend = met != 0;
-      if (descend) at = NodeRef(static_cast<std::uint32_t>(first_of(tree, node, met, entry, waiting)));
+      if (descend) at = NodeRef(static_cast<std::uint32_t>(first_of(prefetch, node, met, entry, waiting)));
     }
     while (!descend) {
       if (waiting.empty()) return;
@@ -240,7 +253,5 @@ template <class P>
                                        WalkCounts& counts) {
   walk(tree, probe, finder, counts, [&](NodeRef leaf) { return tell_all(leaf, finder); });
 }
-
-inline constexpr TreeTarget tree_target_here() { return {sift<Ray>, sift<Segment>, visit_all}; }
 
 }  // namespace tribunal::HWY_NAMESPACE

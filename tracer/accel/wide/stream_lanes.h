@@ -1,0 +1,247 @@
+// Many walks at once on vector lanes. Included by files that are compiled for one instruction set each.
+//
+// A walk is a chain: which box comes next is known only when the last one has been tested, and the branches of a walk
+// cannot be foreseen. So a single walk leaves most of a core idle. Here a few dozen walks are under way; each is cut
+// into steps without branches that depend on the tree (enter a node; sift a leaf; take out the nearest box that waits),
+// and waits in one queue for each kind of step. Steps of one kind are done eight in a row: they do not depend on each
+// other, so that the core overlaps them, and what a step has prefetched comes while others run.
+// Compare Barringer and Akenine-Möller, "Dynamic Ray Stream Traversal", ACM TOG 33(4), 2014; Áfra et al., "Local
+// Shading Coherence Extraction for SIMD-Efficient Path Tracing", HPG 2016, which sort rays for vector lanes; here lanes
+// hold the boxes of a node and the triangles of a leaf, as in the single walk, and what is gained is overlap.
+#pragma once
+
+#include "tracer/accel/wide/traversal_lanes.h"
+
+namespace tribunal::HWY_NAMESPACE {
+
+using KeyTag = hn::RebindToUnsigned<BoxTag>;
+using WaitingTag = hn::CappedTag<std::uint32_t, 16>;
+
+inline constexpr KeyTag key_tag;
+inline constexpr WaitingTag waiting_tag;
+
+/// The lanes from `from` of a mask that is given by its bits.
+HWY_INLINE hn::Mask<KeyTag> lanes_of(unsigned bits, std::size_t from) {
+  const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits >> from)};
+  return hn::LoadMaskBits(key_tag, bytes);
+}
+
+/// Entries as numbers with the lane's own in the last bits: where entries are not negative, the least of them tells the
+/// lane, and, without those bits, a bound from below of the least entry.
+template <class D>
+HWY_INLINE hn::Vec<D> keys(D d, const float* entry, std::size_t first, std::uint32_t lane_bits) {
+  const auto bits = hn::LoadU(d, reinterpret_cast<const std::uint32_t*>(entry));
+  return hn::Or(hn::AndNot(hn::Set(d, lane_bits), bits), hn::Iota(d, static_cast<std::uint32_t>(first)));
+}
+
+/// The slot that is entered first, or about so, among those met; any for none.
+HWY_INLINE unsigned nearest_of(const float* entry, unsigned met) {
+  const auto none = hn::Set(key_tag, ~0U);
+  auto least = none;
+  for (std::size_t k = 0; k < node_width; k += hn::Lanes(key_tag)) {
+    const auto key = keys(key_tag, entry + k, k, node_width - 1);
+    least = hn::Min(least, hn::IfThenElse(lanes_of(met, k), key, none));
+  }
+  return hn::GetLane(hn::MinOfLanes(key_tag, least)) & (node_width - 1);
+}
+
+/// Boxes that wait to be entered, in no order.
+class WaitingBoxes {
+ public:
+  /// With one that is never entered, so that there is always a nearest.
+  void clear() {
+    entry_[0] = std::numeric_limits<float>::infinity();
+    child_[0] = 0;
+    size_ = 1;
+  }
+
+  /// Whether all children of a node find room.
+  bool has_room() const { return size_ + node_width <= capacity; }
+
+  HWY_INLINE void push(const float* entry, const NodeRef* child, unsigned met) {
+    static_assert(sizeof(NodeRef) == sizeof(std::uint32_t));
+    for (std::size_t k = 0; k < node_width; k += hn::Lanes(key_tag)) {
+      const auto lanes = lanes_of(met, k);
+      append(entry + k, lanes, entry_);
+      append(child + k, lanes, child_);
+      size_ += hn::CountTrue(key_tag, lanes);
+    }
+  }
+
+  /// Takes out the box that is entered first, or about so. Returns a bound from below of the entry: infinite if there
+  /// is none.
+  HWY_INLINE float pop(NodeRef& child) {
+    constexpr std::uint32_t step = hn::MaxLanes(waiting_tag);
+    std::uint32_t least = ~0U;
+    std::size_t k = 0;
+    for (std::size_t i = 0; i < size_; i += step) {
+      const auto here = hn::IfThenElse(hn::FirstN(waiting_tag, size_ - i), keys(waiting_tag, entry_ + i, 0, step - 1),
+                                       hn::Set(waiting_tag, ~0U));
+      const std::uint32_t key = hn::GetLane(hn::MinOfLanes(waiting_tag, here));
+      k = key < least ? i + key % step : k;
+      least = std::min(least, key);
+    }
+    child = NodeRef(child_[k]);
+    --size_;
+    entry_[k] = entry_[size_];
+    child_[k] = child_[size_];
+    return std::bit_cast<float>(least / step * step);
+  }
+
+ private:
+  static constexpr std::size_t capacity = 48;  ///< walks seldom need more than 16
+  static constexpr std::size_t slack = 16;     ///< whole vectors are loaded and stored
+
+  template <class From, class To>
+  HWY_INLINE void append(const From* from, hn::Mask<KeyTag> lanes, To* to) const {
+    const auto all = hn::LoadU(key_tag, reinterpret_cast<const std::uint32_t*>(from));
+    hn::StoreU(hn::Compress(all, lanes), key_tag, reinterpret_cast<std::uint32_t*>(to + size_));
+  }
+
+  std::size_t size_;
+  float entry_[capacity + slack];
+  std::uint32_t child_[capacity + slack];
+};
+
+/// One walk that is under way.
+struct Walker {
+  const RayWalk* walk;
+  float limit;  ///< that of the finder
+  NodeRef at;
+  WaitingBoxes waiting;
+};
+
+/// What a walker does next.
+enum Step : std::uint32_t { enter_node, sift_leaf, take_next, start_walk };
+
+/// Walkers by what they do next, first come first served.
+class StepQueues {
+ public:
+  static constexpr std::uint32_t walkers = 32;
+
+  void add(std::uint32_t step, Walker* w) { at_[step][tail_[step]++ % walkers] = w; }
+  std::uint32_t waiting(Step step) const { return tail_[step] - head_[step]; }
+
+  /// Calls act(walker) for the first n.
+  template <class Act>
+  HWY_INLINE void take(Step step, std::uint32_t n, const Act& act) {
+    const std::uint32_t from = head_[step];
+    head_[step] += n;
+    for (std::uint32_t i = from; i != from + n; ++i) act(*at_[step][i % walkers]);
+  }
+
+ private:
+  std::uint32_t head_[4] = {}, tail_[4] = {};
+  Walker* at_[4][walkers];
+};
+
+/// The walks of a list.
+class Stream {
+ public:
+  Stream(const WideTree& tree, std::span<const RayWalk> walks, WalkCounts& counts)
+      : tree_(tree), prefetch_(tree), next_(walks.data()), end_(walks.data() + walks.size()), counts_(counts) {
+    for (Walker& w : walkers_) queues_.add(start_walk, &w);
+  }
+
+  /// While all walkers are at work, some queue holds eight of them, there being more than four times seven.
+  HWY_INLINE void run() {
+    constexpr std::uint32_t in_a_row = 8;
+    static_assert(StepQueues::walkers > 4 * (in_a_row - 1));
+    while (true) {
+      if (queues_.waiting(enter_node) >= in_a_row) {
+        enter_nodes(in_a_row);
+      } else if (queues_.waiting(sift_leaf) >= in_a_row) {
+        sift_leaves(in_a_row);
+      } else if (queues_.waiting(take_next) >= in_a_row) {
+        take_nexts(in_a_row);
+      } else if (queues_.waiting(start_walk) >= in_a_row && next_ != end_) {
+        start_walks(in_a_row);
+      } else if (!do_the_rest()) {
+        return;
+      }
+    }
+  }
+
+ private:
+  /// All steps that wait, of which there are few. Whether there was any.
+  HWY_INLINE bool do_the_rest() {
+    start_walks(queues_.waiting(start_walk));
+    const std::uint32_t nodes = queues_.waiting(enter_node), leaves = queues_.waiting(sift_leaf),
+                        nexts = queues_.waiting(take_next);
+    enter_nodes(nodes);
+    sift_leaves(leaves);
+    take_nexts(nexts);
+    return nodes + leaves + nexts != 0;
+  }
+
+  /// Walkers for which there is no walk left are heard of no more.
+  HWY_INLINE void start_walks(std::uint32_t n) {
+    queues_.take(start_walk, n, [&](Walker& w) HWY_ATTR {
+      if (next_ == end_) return;
+      w.walk = next_++;
+      w.limit = w.walk->finder->limit;
+      w.waiting.clear();
+      go_to(tree_.root(), w);
+    });
+  }
+
+  HWY_INLINE void enter_nodes(std::uint32_t n) {
+    counts_.boxes += std::uint64_t{n} * node_width;
+    queues_.take(enter_node, n, [&](Walker& w) HWY_ATTR {
+      if (HWY_UNLIKELY(!w.waiting.has_room())) return finish_alone(w);
+      const WideNode& node = tree_.nodes()[w.at.index()];
+      float entry[node_width];
+      const unsigned met = BoxLanes(*w.walk->probe).entered(node, w.limit, entry), nearest = nearest_of(entry, met);
+      w.waiting.push(entry, node.child, met & ~(1U << nearest));
+      go_to(node.child[nearest], w, take_next, met == 0);
+    });
+  }
+
+  HWY_INLINE void sift_leaves(std::uint32_t n) {
+    queues_.take(sift_leaf, n, [&](Walker& w) HWY_ATTR {
+      const RayWalk& walk = *w.walk;
+      LeafSieve<Ray>(*walk.ray).sift(tree_, w.at, *walk.finder, counts_);
+      w.limit = walk.finder->limit;
+      queues_.add(take_next, &w);
+    });
+  }
+
+  HWY_INLINE void take_nexts(std::uint32_t n) {
+    queues_.take(take_next, n, [&](Walker& w) HWY_ATTR {
+      NodeRef child;
+      const float entry = w.waiting.pop(child);
+      go_to(child, w, start_walk, entry > w.limit);
+    });
+  }
+
+  /// Sends a walker on to a node or leaf; or rather, if `else_if`, to another step. By arithmetic, not by branches.
+  HWY_INLINE void go_to(NodeRef child, Walker& w, Step other = start_walk, bool else_if = false) {
+    w.at = child;
+    prefetch_(child);
+    const std::uint32_t leaf = child.is_leaf(), instead = else_if;
+    queues_.add((leaf & ~instead) | instead * other, &w);
+  }
+
+  /// A walk in so deep a tree, or among so many boxes, that too many wait: starts again on its own, where proof bounds
+  /// them, with what it has found.
+  HWY_NOINLINE void finish_alone(Walker& w) {
+    sift<Ray>(tree_, *w.walk->probe, *w.walk->ray, *w.walk->finder, counts_);
+    queues_.add(start_walk, &w);
+  }
+
+  const WideTree& tree_;
+  const Prefetcher prefetch_;
+  const RayWalk* next_;
+  const RayWalk* const end_;
+  WalkCounts& counts_;
+  StepQueues queues_;
+  Walker walkers_[StepQueues::walkers];
+};
+
+[[gnu::flatten]] inline void sift_rays(const WideTree& tree, std::span<const RayWalk> walks, WalkCounts& counts) {
+  if (!tree.empty()) Stream(tree, walks, counts).run();
+}
+
+inline constexpr TreeTarget tree_target_here() { return {sift<Ray>, sift<Segment>, visit_all, sift_rays}; }
+
+}  // namespace tribunal::HWY_NAMESPACE
