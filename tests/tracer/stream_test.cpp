@@ -2,10 +2,12 @@
 // target.
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <stdexcept>
 
 #include "tests/tracer/tree_support.h"
+#include "tracer/accel/wide/traversal.h"
 
 namespace tribunal {
 namespace {
@@ -94,7 +96,7 @@ TEST_P(RayBatch, DoesNotDependOnWhoTravelsBeside) {
   std::vector<std::optional<Nearest>> alone;
   for (const Ray& ray : rays) alone.push_back(tree.closest(ray));
   EXPECT_GT(std::count_if(alone.begin(), alone.end(), [](const auto& hit) { return hit.has_value(); }), 300);
-  for (const std::size_t count : {0, 1, 7, 8, 9, 31, 32, 33, 127, 128, 129, 1000}) {
+  for (const std::size_t count : {0, 1, 7, 8, 9, 63, 64, 65, 255, 256, 257, 1000}) {
     for (std::size_t from = 0; from + count <= rays.size(); from += 333) {
       const auto hits = batch(tree, std::span(rays).subspan(from, count));
       for (std::size_t i = 0; i < count; ++i) {
@@ -126,6 +128,32 @@ TEST_P(RayBatch, SurvivesManyBoxesThatWait) {
     hits += expected.has_value();
   }
   EXPECT_GT(hits, 20);
+}
+
+/// Probes made many at once are those made one by one, bit for bit; also of rays far away, or with directions that are
+/// long, short, along an axis or none at all.
+TEST_P(RayBatch, HasTheProbesOfSingleRays) {
+  Random random(34);
+  const double sizes[] = {1, 0x1p-40, 0x1p29, 0x1p30, 0x1p31, 0x1p-880, 0x1p890, 0x1p-1000, 0x1p1000};
+  std::vector<Ray> rays;
+  for (int i = 0; i < 2000; ++i) {
+    Ray ray{sizes[random.below(5)] * random.point(1), {sizes[random.below(9)] * random.point(1)}};
+    if (i % 3 == 0) ray.d.v[static_cast<int>(random.below(3))] = random.below(2) == 0 ? 0.0 : -0.0;
+    if (i % 50 == 0) ray.d.v = {0, -0.0, 0};
+    rays.push_back(ray);
+  }
+  for (const Frame& frame :
+       {Frame{Point3(0), 1, 1}, Frame{{3, -7, 0.1}, 0x1p-20, 0.75}, Frame{Point3(1), 0x1p990, 1}}) {
+    for (const std::size_t count : {1999, 8, 7, 1}) {
+      std::vector<WideProbe> probes(count);
+      tree_target().make_probes(std::span(rays).first(count), frame, probes.data());
+      for (std::size_t i = 0; i < count; ++i) {
+        const WideProbe expected(rays[i], frame);
+        ASSERT_EQ(probes[i].scale, expected.scale) << "ray " << i;
+        ASSERT_EQ(std::memcmp(&probes[i].axes, &expected.axes, sizeof expected.axes), 0) << "ray " << i;
+      }
+    }
+  }
 }
 
 /// A tie among as many copies as fill leaves of many nodes: the lowest id, in every ray of a batch.

@@ -28,8 +28,8 @@ struct Certified {
 /// All that finding the closest hit of a ray takes.
 class Search {
  public:
-  Search(const WideTree& tree, const Ray& ray)
-      : probe_(ray, tree.frame()), judge_{tree, ray}, finder_(tree, probe_, judge_) {}
+  Search(const WideTree& tree, const Ray& ray, const WideProbe& probe)
+      : probe_(probe), judge_{tree, ray}, finder_(tree, probe, judge_) {}
   Search(const Search&) = delete;
 
   RayWalk walk() { return {&judge_.ray, &probe_, &finder_}; }
@@ -40,19 +40,21 @@ class Search {
   }
 
  private:
-  WideProbe probe_;
+  const WideProbe& probe_;
   Certified judge_;
   ClosestFinder<Certified> finder_;
 };
 
-constexpr std::size_t batch_size = 128;  ///< so that all searches stay in the first cache
+constexpr std::size_t batch_size = 256;  ///< so that all searches stay in the first cache
 
 void search_batch(const WideTree& tree, std::span<const Ray> rays, std::span<std::optional<Nearest>> hits) {
   std::optional<Search> searches[batch_size];
   RayWalk walks[batch_size];
+  WideProbe probes[batch_size];
+  tree_target().make_probes(rays, tree.frame(), probes);
   std::size_t count = 0;
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    if (is_finite(rays[i])) walks[count++] = searches[i].emplace(tree, rays[i]).walk();
+    if (is_finite(rays[i])) walks[count++] = searches[i].emplace(tree, rays[i], probes[i]).walk();
   }
   WalkCounts uncounted;
   tree_target().sift_rays(tree, {walks, count}, uncounted);
@@ -68,10 +70,10 @@ TriangleTree::TriangleTree(std::span<const Triangle> triangles)
 
 std::optional<Nearest> TriangleTree::closest(const Ray& ray) const {
   if (!is_finite(ray)) return std::nullopt;
-  Search search(tree_, ray);
-  const RayWalk walk = search.walk();
+  const WideProbe probe(ray, tree_.frame());
+  Search search(tree_, ray, probe);
   WalkCounts uncounted;
-  tree_target().sift_ray(tree_, *walk.probe, ray, *walk.finder, uncounted);
+  tree_target().sift_ray(tree_, probe, ray, *search.walk().finder, uncounted);
   return search.nearest();
 }
 

@@ -1,15 +1,16 @@
 // Many walks at once on vector lanes. Included by files that are compiled for one instruction set each.
 //
 // A walk is a chain: which box comes next is known only when the last one has been tested, and the branches of a walk
-// cannot be foreseen. So a single walk leaves most of a core idle. Here a few dozen walks are under way; each is cut
+// cannot be foreseen. So a single walk leaves most of a core idle. Here some dozens of walks are under way; each is cut
 // into steps without branches that depend on the tree (enter a node; sift a leaf; take out the nearest box that waits),
-// and waits in one queue for each kind of step. Steps of one kind are done eight in a row: they do not depend on each
+// and waits in one queue for each kind of step. Steps of one kind are done sixteen in a row: they do not depend on each
 // other, so that the core overlaps them, and what a step has prefetched comes while others run.
 // Compare Barringer and Akenine-Möller, "Dynamic Ray Stream Traversal", ACM TOG 33(4), 2014; Áfra et al., "Local
 // Shading Coherence Extraction for SIMD-Efficient Path Tracing", HPG 2016, which sort rays for vector lanes; here lanes
 // hold the boxes of a node and the triangles of a leaf, as in the single walk, and what is gained is overlap.
 #pragma once
 
+#include "tracer/accel/wide/probe_lanes.h"
 #include "tracer/accel/wide/traversal_lanes.h"
 
 namespace tribunal::HWY_NAMESPACE {
@@ -60,12 +61,14 @@ class WaitingBoxes {
 
   HWY_INLINE void push(const float* entry, const NodeRef* child, unsigned met) {
     static_assert(sizeof(NodeRef) == sizeof(std::uint32_t));
+    std::size_t end = size_;
     for (std::size_t k = 0; k < node_width; k += hn::Lanes(key_tag)) {
       const auto lanes = lanes_of(met, k);
-      append(entry + k, lanes, entry_);
-      append(child + k, lanes, child_);
-      size_ += hn::CountTrue(key_tag, lanes);
+      store(entry + k, lanes, entry_ + end);
+      store(child + k, lanes, child_ + end);
+      end += hn::CountTrue(key_tag, lanes);
     }
+    size_ = end;
   }
 
   /// Takes out the box that is entered first, or about so. Returns a bound from below of the entry: infinite if there
@@ -92,10 +95,11 @@ class WaitingBoxes {
   static constexpr std::size_t capacity = 48;  ///< walks seldom need more than 16
   static constexpr std::size_t slack = 16;     ///< whole vectors are loaded and stored
 
+  /// Those of some lanes, side by side.
   template <class From, class To>
-  HWY_INLINE void append(const From* from, hn::Mask<KeyTag> lanes, To* to) const {
+  static HWY_INLINE void store(const From* from, hn::Mask<KeyTag> lanes, To* to) {
     const auto all = hn::LoadU(key_tag, reinterpret_cast<const std::uint32_t*>(from));
-    hn::StoreU(hn::Compress(all, lanes), key_tag, reinterpret_cast<std::uint32_t*>(to + size_));
+    hn::StoreU(hn::Compress(all, lanes), key_tag, reinterpret_cast<std::uint32_t*>(to));
   }
 
   std::size_t size_;
@@ -113,11 +117,12 @@ struct Walker {
 
 /// What a walker does next.
 enum Step : std::uint32_t { enter_node, sift_leaf, take_next, start_walk };
+inline constexpr std::size_t steps = 4;
 
 /// Walkers by what they do next, first come first served.
 class StepQueues {
  public:
-  static constexpr std::uint32_t walkers = 32;
+  static constexpr std::uint32_t walkers = 64;
 
   void add(std::uint32_t step, Walker* w) { at_[step][tail_[step]++ % walkers] = w; }
   std::uint32_t waiting(Step step) const { return tail_[step] - head_[step]; }
@@ -131,8 +136,8 @@ class StepQueues {
   }
 
  private:
-  std::uint32_t head_[4] = {}, tail_[4] = {};
-  Walker* at_[4][walkers];
+  std::uint32_t head_[steps] = {}, tail_[steps] = {};
+  Walker* at_[steps][walkers];
 };
 
 /// The walks of a list.
@@ -143,10 +148,10 @@ class Stream {
     for (Walker& w : walkers_) queues_.add(start_walk, &w);
   }
 
-  /// While all walkers are at work, some queue holds eight of them, there being more than four times seven.
+  /// While all walkers are at work, some queue holds sixteen of them, there being more than four times fifteen.
   HWY_INLINE void run() {
-    constexpr std::uint32_t in_a_row = 8;
-    static_assert(StepQueues::walkers > 4 * (in_a_row - 1));
+    constexpr std::uint32_t in_a_row = 16;
+    static_assert(StepQueues::walkers > steps * (in_a_row - 1));
     while (true) {
       if (queues_.waiting(enter_node) >= in_a_row) {
         enter_nodes(in_a_row);
@@ -199,9 +204,11 @@ class Stream {
 
   HWY_INLINE void sift_leaves(std::uint32_t n) {
     queues_.take(sift_leaf, n, [&](Walker& w) HWY_ATTR {
-      const RayWalk& walk = *w.walk;
-      LeafSieve<Ray>(*walk.ray).sift(tree_, w.at, *walk.finder, counts_);
-      w.limit = walk.finder->limit;
+      LeafSieve<Ray>(*w.walk->ray).sift(tree_, w.at, sifted_, counts_);
+      if (sifted_.rest != 0) {
+        sifted_.tell(w.at, *w.walk->finder);
+        w.limit = w.walk->finder->limit;
+      }
       queues_.add(take_next, &w);
     });
   }
@@ -235,6 +242,7 @@ class Stream {
   const RayWalk* const end_;
   WalkCounts& counts_;
   StepQueues queues_;
+  Sifted sifted_;
   Walker walkers_[StepQueues::walkers];
 };
 
@@ -242,6 +250,6 @@ class Stream {
   if (!tree.empty()) Stream(tree, walks, counts).run();
 }
 
-inline constexpr TreeTarget tree_target_here() { return {sift<Ray>, sift<Segment>, visit_all, sift_rays}; }
+inline constexpr TreeTarget tree_target_here() { return {sift<Ray>, sift<Segment>, visit_all, make_probes, sift_rays}; }
 
 }  // namespace tribunal::HWY_NAMESPACE

@@ -49,6 +49,9 @@ struct TreeTarget {
   void (*sift_segment)(const WideTree&, const WideProbe&, const Segment&, Finder&, WalkCounts&);
   void (*visit_all)(const WideTree&, const WideProbe&, Finder&, WalkCounts&);
 
+  /// probes[i] = WideProbe(rays[i], frame).
+  void (*make_probes)(std::span<const Ray>, const Frame&, WideProbe* probes);
+
   /// Each as by sift_ray, all at the same time; no `found` may stop its walk. May tell of a finding twice.
   void (*sift_rays)(const WideTree&, std::span<const RayWalk>, WalkCounts&);
 };

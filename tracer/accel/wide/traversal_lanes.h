@@ -21,7 +21,7 @@ inline constexpr std::size_t cache_line = 64;
 struct BoxLanes {
   struct Axis {
     BoxVector r, near_c, far_c;
-    std::uint32_t near_plane, far_plane;
+    std::uint32_t near_plane, far_plane;  ///< their first coordinates
   };
 
   explicit BoxLanes(const WideProbe& p) : x(axis(p.axes[0])), y(axis(p.axes[1])), z(axis(p.axes[2])) {}
@@ -47,10 +47,10 @@ struct BoxLanes {
     return {hn::Set(box_tag, a.r), hn::Set(box_tag, a.near_c), hn::Set(box_tag, a.far_c), a.near_plane, a.far_plane};
   }
   static HWY_INLINE BoxVector near(const WideNode& node, const Axis& a, std::size_t k) {
-    return hn::MulSub(hn::LoadU(box_tag, node.plane[a.near_plane] + k), a.r, a.near_c);
+    return hn::MulSub(hn::LoadU(box_tag, node.plane[0] + a.near_plane + k), a.r, a.near_c);
   }
   static HWY_INLINE BoxVector far(const WideNode& node, const Axis& a, std::size_t k) {
-    return hn::MulSub(hn::LoadU(box_tag, node.plane[a.far_plane] + k), a.r, a.far_c);
+    return hn::MulSub(hn::LoadU(box_tag, node.plane[0] + a.far_plane + k), a.r, a.far_c);
   }
 
   Axis x, y, z;
@@ -159,6 +159,28 @@ HWY_INLINE void walk(const WideTree& tree, const WideProbe& probe, const Finder&
   }
 }
 
+/// What a sieve leaves of a leaf: a bit each for triangles that are not certainly missed, are certainly hit, and of
+/// which the filter may be asked; the sides of those, up to ±bound.
+struct Sifted {
+  unsigned rest = 0, hit = 0, safe = 0;
+  double source[leaf_size], toward[leaf_size], bound[leaf_size];
+
+  /// Tells of them, until the finder has enough.
+  HWY_NOINLINE bool tell(NodeRef leaf, Finder& finder) const {
+    for (unsigned left = rest; left != 0; left &= left - 1) {
+      const auto k = static_cast<std::uint32_t>(std::countr_zero(left));
+      const bool known = (safe >> k & 1) != 0;
+      const Finding finding{{leaf, k},
+                            (hit >> k & 1) != 0,
+                            source[k],
+                            -toward[k],
+                            known ? bound[k] : std::numeric_limits<double>::infinity()};
+      if (finder.found(finding)) return true;
+    }
+    return false;
+  }
+};
+
 /// The probe and the filter's constants in every lane.
 template <class P>
 class LeafSieve {
@@ -166,13 +188,13 @@ class LeafSieve {
   explicit LeafSieve(const P& probe)
       : source_(broadcast(tribunal::source(probe))), target_(broadcast(vector_of(tribunal::target(probe)))) {}
 
-  /// Tells of the triangles of a leaf that are not certainly missed.
-  HWY_INLINE bool sift(const WideTree& tree, NodeRef leaf, Finder& finder, WalkCounts& counts) const {
+  HWY_INLINE void sift(const WideTree& tree, NodeRef leaf, Sifted& sifted, WalkCounts& counts) const {
     const double* const column = tree.columns(leaf);
     const std::size_t count = leaf.count();
     constexpr std::size_t step = HWY_LANES(double);
+    unsigned missed = 0;
+    sifted.hit = sifted.safe = 0;
     for (std::size_t from = 0; from < count; from += step) {
-      const unsigned present = (1U << std::min(step, count - from)) - 1;
       const Arms<Lanes> arms =
           arms_of(vertex(column + from, 0, count), vertex(column + from, 1, count), vertex(column + from, 2, count));
       const Vec3<Lanes> m = largest(arms);
@@ -180,14 +202,16 @@ class LeafSieve {
       const SharedVolumes<Lanes> volumes = shared_volumes<P>(arms);
       const Lanes margin = margin_of(volumes);
       const unsigned safe = in_range(m, constants_).bits();
-      const unsigned missed = certain_miss(margin, bound).bits() & safe;
-      counts.missed += static_cast<unsigned>(std::popcount(missed & present));
-      const unsigned rest = present & ~missed;
-      if (HWY_LIKELY(rest == 0)) continue;
-      const unsigned hit = certain_hit(margin, bound).bits() & safe;
-      if (tell(leaf, static_cast<std::uint32_t>(from), rest, hit, safe, volumes.sides, bound, finder)) return true;
+      sifted.safe |= safe << from;
+      missed |= (certain_miss(margin, bound).bits() & safe) << from;
+      sifted.hit |= (certain_hit(margin, bound).bits() & safe) << from;
+      hn::StoreU(volumes.sides.source.v, tag, sifted.source + from);
+      hn::StoreU(volumes.sides.toward.v, tag, sifted.toward + from);
+      hn::StoreU(bound.v, tag, sifted.bound + from);
     }
-    return false;
+    const unsigned present = (1U << count) - 1;
+    counts.missed += static_cast<unsigned>(std::popcount(missed & present));
+    sifted.rest = present & ~missed;
   }
 
  private:
@@ -208,25 +232,6 @@ class LeafSieve {
     }
   }
 
-  static HWY_NOINLINE bool tell(NodeRef leaf, std::uint32_t from, unsigned rest, unsigned hit, unsigned safe,
-                                const Sides<Lanes>& sides, const Lanes& bound, Finder& finder) {
-    double source[8], toward[8], bounds[8];
-    hn::StoreU(sides.source.v, tag, source);
-    hn::StoreU(sides.toward.v, tag, toward);
-    hn::StoreU(bound.v, tag, bounds);
-    for (; rest != 0; rest &= rest - 1) {
-      const unsigned k = static_cast<unsigned>(std::countr_zero(rest));
-      const bool known = (safe >> k & 1) != 0;
-      const Finding finding{{leaf, from + k},
-                            (hit >> k & 1) != 0,
-                            source[k],
-                            -toward[k],
-                            known ? bounds[k] : std::numeric_limits<double>::infinity()};
-      if (finder.found(finding)) return true;
-    }
-    return false;
-  }
-
   Vec3<Lanes> source_, target_;
   FilterConstants<Lanes> constants_{Lanes(shared_volumes_filter.k), Lanes(shared_volumes_filter.tiny),
                                     Lanes(shared_volumes_filter.huge)};
@@ -244,8 +249,11 @@ template <class P>
 [[gnu::flatten]] void sift(const WideTree& tree, const WideProbe& probe, const P& exact_probe, Finder& finder,
                            WalkCounts& counts) {
   const LeafSieve<P> sieve(exact_probe);
-  walk(tree, probe, finder, counts, [&](NodeRef leaf) {
-    return leaf.holds_triangles() ? sieve.sift(tree, leaf, finder, counts) : tell_all(leaf, finder);
+  Sifted sifted;
+  walk(tree, probe, finder, counts, [&](NodeRef leaf) HWY_ATTR {
+    if (!leaf.holds_triangles()) return tell_all(leaf, finder);
+    sieve.sift(tree, leaf, sifted, counts);
+    return sifted.rest != 0 && sifted.tell(leaf, finder);
   });
 }
 
