@@ -49,12 +49,8 @@ HWY_INLINE unsigned nearest_of(const float* entry, unsigned met) {
 /// Boxes that wait to be entered, in no order.
 class WaitingBoxes {
  public:
-  /// With one that is never entered, so that there is always a nearest.
-  void clear() {
-    entry_[0] = std::numeric_limits<float>::infinity();
-    child_[0] = 0;
-    size_ = 1;
-  }
+  void clear() { size_ = 0; }
+  bool empty() const { return size_ == 0; }
 
   /// Whether all children of a node find room.
   bool has_room() const { return size_ + node_width <= capacity; }
@@ -71,8 +67,7 @@ class WaitingBoxes {
     size_ = end;
   }
 
-  /// Takes out the box that is entered first, or about so. Returns a bound from below of the entry: infinite if there
-  /// is none.
+  /// Takes out the box that is entered first, or about so. Returns a bound from below of all entries. Not if empty.
   HWY_INLINE float pop(NodeRef& child) {
     constexpr std::uint32_t step = hn::MaxLanes(waiting_tag);
     std::uint32_t least = ~0U;
@@ -115,7 +110,7 @@ struct Walker {
   WaitingBoxes waiting;
 };
 
-/// What a walker does next.
+/// What a walker does next. The last two are neighbours: see after().
 enum Step : std::uint32_t { enter_node, sift_leaf, take_next, start_walk };
 inline constexpr std::size_t steps = 4;
 
@@ -198,7 +193,7 @@ class Stream {
       float entry[node_width];
       const unsigned met = BoxLanes(*w.walk->probe).entered(node, w.limit, entry), nearest = nearest_of(entry, met);
       w.waiting.push(entry, node.child, met & ~(1U << nearest));
-      go_to(node.child[nearest], w, take_next, met == 0);
+      go_to(node.child[nearest], w, after(w), met == 0);
     });
   }
 
@@ -209,7 +204,7 @@ class Stream {
         sifted_.tell(w.at, *w.walk->finder);
         w.limit = w.walk->finder->limit;
       }
-      queues_.add(take_next, &w);
+      queues_.add(after(w), &w);
     });
   }
 
@@ -221,8 +216,11 @@ class Stream {
     });
   }
 
+  /// What follows where a walk can get no deeper.
+  static std::uint32_t after(const Walker& w) { return take_next + std::uint32_t{w.waiting.empty()}; }
+
   /// Sends a walker on to a node or leaf; or rather, if `else_if`, to another step. By arithmetic, not by branches.
-  HWY_INLINE void go_to(NodeRef child, Walker& w, Step other = start_walk, bool else_if = false) {
+  HWY_INLINE void go_to(NodeRef child, Walker& w, std::uint32_t other = start_walk, bool else_if = false) {
     w.at = child;
     prefetch_(child);
     const std::uint32_t leaf = child.is_leaf(), instead = else_if;
