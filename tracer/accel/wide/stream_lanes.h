@@ -3,11 +3,11 @@
 // A walk is a chain: which box comes next is known only when the last one has been tested, and the branches of a walk
 // cannot be foreseen. So a single walk leaves most of a core idle. Here some dozens of walks are under way; each is cut
 // into steps without branches that depend on the tree (enter a node; sift a leaf; take out the nearest box that waits),
-// and waits in one queue for each kind of step. Steps of one kind are done sixteen in a row: they do not depend on each
-// other, so that the core overlaps them, and what a step has prefetched comes while others run.
-// Compare Barringer and Akenine-Möller, "Dynamic Ray Stream Traversal", ACM TOG 33(4), 2014; Áfra et al., "Local
-// Shading Coherence Extraction for SIMD-Efficient Path Tracing", HPG 2016, which sort rays for vector lanes; here lanes
-// hold the boxes of a node and the triangles of a leaf, as in the single walk, and what is gained is overlap.
+// and waits in one queue for each kind of step. Queues are served in turn: the steps of one do not depend on each
+// other, so that the core overlaps them, and what a step has prefetched comes while others run. Compare Barringer and
+// Akenine-Möller, "Dynamic Ray Stream Traversal", ACM TOG 33(4), 2014; Áfra et al., "Local Shading Coherence Extraction
+// for SIMD-Efficient Path Tracing", HPG 2016, which sort rays for vector lanes; here lanes hold the boxes of a node and
+// the triangles of a leaf, as in the single walk, and what is gained is overlap.
 #pragma once
 
 #include "tracer/accel/wide/probe_lanes.h"
@@ -33,14 +33,16 @@ class StepQueues {
   static constexpr std::uint32_t walkers = 64;
 
   void add(std::uint32_t step, Walker* w) { at_[step][tail_[step]++ % walkers] = w; }
-  std::uint32_t waiting(Step step) const { return tail_[step] - head_[step]; }
 
-  /// Calls act(walker) for the first n.
+  bool any_waits() const { return !std::equal(head_, head_ + steps, tail_); }
+
+  /// Calls act(walker) for all that wait now, not for those that are added meanwhile. Returns how many.
   template <class Act>
-  HWY_INLINE void take(Step step, std::uint32_t n, const Act& act) {
-    const std::uint32_t from = head_[step];
-    head_[step] += n;
-    for (std::uint32_t i = from; i != from + n; ++i) act(*at_[step][i % walkers]);
+  HWY_INLINE std::uint32_t take_all(Step step, const Act& act) {
+    const std::uint32_t from = head_[step], to = tail_[step];
+    head_[step] = to;
+    for (std::uint32_t i = from; i != to; ++i) act(*at_[step][i % walkers]);
+    return to - from;
   }
 
  private:
@@ -56,40 +58,19 @@ class Stream {
     for (Walker& w : walkers_) queues_.add(start_walk, &w);
   }
 
-  /// While all walkers are at work, some queue holds sixteen of them, there being more than four times fifteen.
   HWY_INLINE void run() {
-    constexpr std::uint32_t in_a_row = 16;
-    static_assert(StepQueues::walkers > steps * (in_a_row - 1));
-    while (true) {
-      if (queues_.waiting(enter_node) >= in_a_row) {
-        enter_nodes(in_a_row);
-      } else if (queues_.waiting(sift_leaf) >= in_a_row) {
-        sift_leaves(in_a_row);
-      } else if (queues_.waiting(take_next) >= in_a_row) {
-        take_nexts(in_a_row);
-      } else if (queues_.waiting(start_walk) >= in_a_row && next_ != end_) {
-        start_walks(in_a_row);
-      } else if (!do_the_rest()) {
-        return;
-      }
-    }
+    do {
+      start_walks();
+      enter_nodes();
+      sift_leaves();
+      take_nexts();
+    } while (queues_.any_waits());
   }
 
  private:
-  /// All steps that wait, of which there are few. Whether there was any.
-  HWY_INLINE bool do_the_rest() {
-    start_walks(queues_.waiting(start_walk));
-    const std::uint32_t nodes = queues_.waiting(enter_node), leaves = queues_.waiting(sift_leaf),
-                        nexts = queues_.waiting(take_next);
-    enter_nodes(nodes);
-    sift_leaves(leaves);
-    take_nexts(nexts);
-    return nodes + leaves + nexts != 0;
-  }
-
   /// Walkers for which there is no walk left are heard of no more.
-  HWY_INLINE void start_walks(std::uint32_t n) {
-    queues_.take(start_walk, n, [&](Walker& w) HWY_ATTR {
+  HWY_INLINE void start_walks() {
+    queues_.take_all(start_walk, [&](Walker& w) HWY_ATTR {
       if (next_ == end_) return;
       w.walk = next_++;
       w.limit = w.walk->finder->limit;
@@ -98,9 +79,8 @@ class Stream {
     });
   }
 
-  HWY_INLINE void enter_nodes(std::uint32_t n) {
-    counts_.boxes += std::uint64_t{n} * node_width;
-    queues_.take(enter_node, n, [&](Walker& w) HWY_ATTR {
+  HWY_INLINE void enter_nodes() {
+    const std::uint32_t nodes = queues_.take_all(enter_node, [&](Walker& w) HWY_ATTR {
       if (HWY_UNLIKELY(!w.waiting.has_room())) return finish_alone(w);
       const WideNode& node = tree_.nodes()[w.at.index()];
       float entry[node_width];
@@ -108,10 +88,11 @@ class Stream {
       w.waiting.push(entry, node.child, met & ~(1U << nearest));
       go_to(node.child[nearest], w, after(w), met == 0);
     });
+    counts_.boxes += std::uint64_t{nodes} * node_width;
   }
 
-  HWY_INLINE void sift_leaves(std::uint32_t n) {
-    queues_.take(sift_leaf, n, [&](Walker& w) HWY_ATTR {
+  HWY_INLINE void sift_leaves() {
+    queues_.take_all(sift_leaf, [&](Walker& w) HWY_ATTR {
       LeafSieve<Ray>(*w.walk->ray).sift(tree_, w.at, sifted_, counts_);
       if (sifted_.rest != 0) {
         sifted_.tell(w.at, *w.walk->finder);
@@ -121,8 +102,8 @@ class Stream {
     });
   }
 
-  HWY_INLINE void take_nexts(std::uint32_t n) {
-    queues_.take(take_next, n, [&](Walker& w) HWY_ATTR {
+  HWY_INLINE void take_nexts() {
+    queues_.take_all(take_next, [&](Walker& w) HWY_ATTR {
       NodeRef child;
       const float entry = w.waiting.pop(child);
       go_to(child, w, start_walk, entry > w.limit);
