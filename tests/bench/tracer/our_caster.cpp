@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "tests/bench/tracer/peers.h"
 #include "tracer/accel/triangle_tree.h"
 
@@ -31,13 +33,16 @@ class InBatches : public OneByOne {
   using OneByOne::OneByOne;
 
   void first_hits(std::span<const Ray> rays, std::span<std::int64_t> hits) override {
-    nearest_.resize(rays.size());
-    tree_.closest(rays, nearest_);
-    for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = id_of(nearest_[i]);
+    std::optional<Nearest> nearest[call];
+    for (std::size_t from = 0; from < rays.size(); from += call) {
+      const std::size_t count = std::min(call, rays.size() - from);
+      tree_.closest(rays.subspan(from, count), std::span(nearest).first(count));
+      std::transform(nearest, nearest + count, hits.begin() + static_cast<std::ptrdiff_t>(from), id_of);
+    }
   }
 
  private:
-  std::vector<std::optional<Nearest>> nearest_;
+  static constexpr std::size_t call = 1024;  ///< rays in a call: so few that answers stay in the cache
 };
 
 }  // namespace

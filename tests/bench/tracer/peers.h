@@ -25,7 +25,7 @@ class Caster {
 /// sf-filtered in the tracer's tree: a call for each ray.
 std::unique_ptr<Caster> make_ours(const Mesh& mesh);
 
-/// The same with one call for all rays.
+/// The same with a call for each 1024 rays.
 std::unique_ptr<Caster> make_ours_batch(const Mesh& mesh);
 
 /// Embree 3 in robust mode, rtcIntersect1 for each ray, its default build quality; binary32, not exact.

@@ -3,7 +3,7 @@
 // random order, 15 times each; CPU time, since others may use the machine. The last lines are `ratio NAME VALUE`: our
 // rays a second over theirs, of medians, with those of opposite quartiles in brackets.
 //
-// We trace rays one by one (`ours`) and with one call for many (`ours_batch`), with equal answers. What the ratios are
+// We trace rays one by one (`ours`) and many in a call (`ours_batch`), with equal answers. What the ratios are
 // of: `embree_*`: ours one by one over Embree's rtcIntersect1, like with like; `aabb_*`: our batch over CGAL's tree,
 // which has no such call, the rays being known beforehand; `embree_batch_*` and `aabb_single_*` the other way about.
 #include <malloc.h>
