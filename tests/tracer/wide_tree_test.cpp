@@ -1,5 +1,4 @@
-// The tree of eight boxes a node: it loses no box that is exactly met, on any target, and closest hits are those of
-// exact arithmetic.
+// The tree of eight boxes a node: it loses no box that is exactly met, on any target; its size and what it is made of.
 #include <gmpxx.h>
 #include <tbb/global_control.h>
 
@@ -7,27 +6,17 @@
 #include <cstring>
 #include <set>
 
-#include "exact/filtered/batch.h"
-#include "tests/tracer/support.h"
-#include "tracer/accel/triangle_tree.h"
+#include "tests/tracer/tree_support.h"
 #include "tracer/accel/wide/traversal.h"
-#include "tracer/shading/visibility.h"
 
 namespace tribunal {
 namespace {
 
-using testing::method;
 using testing::Random;
 
-/// Runs a test once a target that the machine has.
-class OnEveryTarget : public ::testing::TestWithParam<std::string_view> {
- protected:
-  void SetUp() override { force_batch_target(GetParam()); }
-  void TearDown() override { force_batch_target({}); }
-};
+class WideBoxes : public testing::OnEveryTarget {};
 
-INSTANTIATE_TEST_SUITE_P(Targets, OnEveryTarget, ::testing::ValuesIn(batch_targets()),
-                         [](const auto& i) { return std::string(i.param == "AVX-512" ? "AVX512" : i.param); });
+INSTANTIATE_TEST_SUITE_P(Targets, WideBoxes, ::testing::ValuesIn(batch_targets()), testing::target_name);
 
 // --- boxes --------------------------------------------------------------------------------------------------------
 
@@ -170,7 +159,7 @@ void nasty_boxes(std::uint64_t seed, BoxScore& s) {
   }
 }
 
-TEST_P(OnEveryTarget, LosesNoNastyBox) {
+TEST_P(WideBoxes, LosesNoNastyBox) {
   BoxScore rays, segments;
   nasty_boxes<Ray>(1, rays);
   nasty_boxes<Segment>(2, segments);
@@ -206,7 +195,7 @@ BoxScore lattice_score(std::uint64_t seed, const Point3& offset, double scale, c
   return s;
 }
 
-TEST_P(OnEveryTarget, LosesNoBoxTouchedInACorner) {
+TEST_P(WideBoxes, LosesNoBoxTouchedInACorner) {
   const double scales[] = {1, 0x1p-1074, 0x1p-1060, 0x1p-500, 0x1p900, 0x1p1013};
   for (const double scale : scales) {
     const BoxScore s = lattice_score(3, Point3(0), scale, unspoilt);
@@ -221,7 +210,7 @@ TEST_P(OnEveryTarget, LosesNoBoxTouchedInACorner) {
 }
 
 /// Planted bug: the corpus above would not let it pass.
-TEST_P(OnEveryTarget, TheCornersCatchAProbeThatIsNotWidened) {
+TEST_P(WideBoxes, TheCornersCatchAProbeThatIsNotWidened) {
   const auto narrow = [](WideProbe& p) {
     for (auto& a : p.axes) a.near_c = a.far_c = 0.5F * (a.near_c + a.far_c);
   };
@@ -281,130 +270,6 @@ TEST(WideProbe, TheBoundsCatchAMissingOrASmallWidening) {
   });
   EXPECT_GT(small.near, 0);
   EXPECT_GT(small.far, 0);
-}
-
-// --- closest hits -------------------------------------------------------------------------------------------------
-
-/// Lattice triangles (shared planes, corners and edges, some without area) and slivers.
-std::vector<Triangle> soup(Random& random, const Point3& offset, double scale, int count) {
-  std::vector<Triangle> triangles;
-  const auto lattice = [&] {
-    const int x = random.within(0, 4), y = random.within(0, 4), z = random.within(0, 4);
-    return offset + scale * Point3(x, y, z);
-  };
-  for (int i = 0; i < count; ++i) {
-    const Point3 a = lattice();
-    const Point3 b = lattice();
-    const Point3 c = i % 4 == 0 ? 0.5 * (a + b) + (scale * 0x1p-30) * random.point(1) : lattice();
-    triangles.push_back({a, b, c});
-    if (i % 8 == 0) triangles.push_back({b, a, c});  // a tie wherever it is hit
-  }
-  return triangles;
-}
-
-/// At vertices, midpoints of edges and points of faces, in planes of faces, along axes, from afar and from inside.
-Ray aimed(Random& random, const std::vector<Triangle>& triangles, double scale) {
-  const Triangle& t = triangles[random.below(triangles.size())];
-  const Triangle& u = triangles[random.below(triangles.size())];
-  const Point3 targets[] = {t.a, 0.5 * (t.a + t.b), t.a + 0.25 * (t.b - t.a) + 0.25 * (t.c - t.a), t.c};
-  const Point3 target = targets[random.below(4)];
-  const Point3 elsewhere = target + scale * random.point(8);
-  Point3 axis(random.below(2) == 0 ? -0.0 : 0.0);
-  axis[static_cast<int>(random.below(3))] = random.below(2) == 0 ? scale : -scale;
-  switch (random.below(5)) {
-    case 0:
-      return {target - 8.0 * axis, {axis}};
-    case 1:
-      return {u.b, {target - u.b}};
-    case 2:
-      return {elsewhere, {target - elsewhere}};
-    case 3:
-      return {t.b, {t.a - t.b}};
-    default:
-      return {target, {scale * random.point(1)}};
-  }
-}
-
-/// The closest hit by a test of every triangle over rationals.
-std::optional<std::uint32_t> brute_force(const std::vector<Triangle>& triangles, const Ray& ray) {
-  const Method& m = method("sf-rational");
-  std::optional<std::uint32_t> best;
-  if (!is_finite(ray)) return best;
-  for (std::uint32_t i = 0; i < triangles.size(); ++i) {
-    if (!is_visible_hit(m.ray(ray, triangles[i]))) continue;
-    if (!best || m.compare_hits(ray, triangles[i], triangles[*best]) == Sign::negative) best = i;
-  }
-  return best;
-}
-
-struct Place3 {
-  double offset, scale;
-};
-
-TEST_P(OnEveryTarget, ClosestHitIsThatOfExactArithmetic) {
-  const Place3 places[] = {{0, 1},       {0x1p40, 1},   {0x1p50, 1},       {0, 0x1p-1072}, {0, 0x1p-300},
-                           {0, 0x1p900}, {0, 0x1p1015}, {0x1p20, 0x1p-20}, {-3, 1},        {0x1p900, 0x1p860}};
-  int hits = 0;
-  for (const Place3& place : places) {
-    Random random(11);
-    const std::vector<Triangle> triangles =
-        soup(random, Point3(place.offset, -place.offset, place.offset), place.scale, 60);
-    const TriangleTree tree(triangles);
-    for (int i = 0; i < 120; ++i) {
-      const Ray ray = aimed(random, triangles, place.scale);
-      const auto expected = brute_force(triangles, ray);
-      const auto found = tree.closest(ray);
-      ASSERT_EQ(expected.has_value(), found.has_value()) << place.offset << " " << place.scale << " ray " << i;
-      if (!expected) continue;
-      ++hits;
-      ASSERT_EQ(*expected, found->id) << "offset " << place.offset << " scale " << place.scale << " ray " << i;
-      ASSERT_GE(found->t, 0);
-    }
-  }
-  EXPECT_GT(hits, 400);
-}
-
-/// Rays whose direction is far longer or shorter than the scene is large.
-TEST_P(OnEveryTarget, TheLengthOfADirectionDoesNotMatter) {
-  Random random(12);
-  const std::vector<Triangle> triangles = soup(random, Point3(0), 1, 60);
-  const TriangleTree tree(triangles);
-  for (int i = 0; i < 200; ++i) {
-    const Ray ray = aimed(random, triangles, 1);
-    const auto expected = tree.closest(ray);
-    for (const double factor : {0x1p-900, 0x1p-30, 0x1p30, 0x1p1000}) {
-      const auto found = tree.closest({ray.o, {factor * ray.d.v}});
-      ASSERT_EQ(expected.has_value(), found.has_value());
-      ASSERT_TRUE(!expected || expected->id == found->id);
-    }
-  }
-}
-
-/// t lies within proved bounds of the exact parameter.
-TEST_P(OnEveryTarget, ParametersAreAccurate) {
-  Random random(13);
-  const std::vector<Triangle> triangles = soup(random, Point3(0), 1, 100);
-  const TriangleTree tree(triangles);
-  int compared = 0;
-  for (int i = 0; i < 500; ++i) {
-    const Point3 o = random.point(8);
-    const Ray ray{o, {Point3(2) + random.point(2) - o}};
-    const auto found = tree.closest(ray);
-    if (!found) continue;
-    const HitParameter<double> p = hit_parameter<double>(ray, triangles[found->id]);
-    EXPECT_NEAR(found->t, p.num / p.den, 1e-9 * std::fabs(found->t));
-    ++compared;
-  }
-  EXPECT_GT(compared, 50);
-}
-
-TEST(TriangleTree, OfNothingIsNeverHit) {
-  EXPECT_FALSE(TriangleTree({}).closest({{0, 0, 0}, {{1, 0, 0}}}).has_value());
-  const Triangle one[] = {{{0, 0, 1}, {1, 0, 1}, {0, 1, 1}}};
-  const TriangleTree tree(one);
-  EXPECT_EQ(tree.closest({{0.25, 0.25, 0}, {{0, 0, 2}}})->t, 0.5);
-  EXPECT_FALSE(tree.closest({{0.25, 0.25, 0}, {{0, 0, 0}}}).has_value()) << "a ray without direction";
-  EXPECT_FALSE(tree.closest({{0.25, 0.25, 0}, {{0, 0, std::nan("")}}}).has_value());
 }
 
 // --- size and determinism -----------------------------------------------------------------------------------------

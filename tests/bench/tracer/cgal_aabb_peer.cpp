@@ -34,14 +34,18 @@ class AabbCaster : public Caster {
     tree_.build();
   }
 
-  std::int64_t first_hit(const Ray& r) override {
-    const auto hit = tree_.first_intersected_primitive(K::Ray_3(point(r.o), K::Vector_3(r.d.v.x, r.d.v.y, r.d.v.z)));
-    return hit ? *hit - triangles_.begin() : -1;
+  void first_hits(std::span<const Ray> rays, std::span<std::int64_t> hits) override {
+    for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = first_hit(rays[i]);
   }
 
   std::size_t bytes() const override { return 0; }
 
  private:
+  std::int64_t first_hit(const Ray& r) {
+    const auto hit = tree_.first_intersected_primitive(K::Ray_3(point(r.o), K::Vector_3(r.d.v.x, r.d.v.y, r.d.v.z)));
+    return hit ? *hit - triangles_.begin() : -1;
+  }
+
   Triangles triangles_;
   Tree tree_;
 };

@@ -31,7 +31,14 @@ class EmbreeCaster : public Caster {
     rtcReleaseDevice(device_);
   }
 
-  std::int64_t first_hit(const Ray& r) override {
+  void first_hits(std::span<const Ray> rays, std::span<std::int64_t> hits) override {
+    for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = first_hit(rays[i]);
+  }
+
+  std::size_t bytes() const override { return static_cast<std::size_t>(bytes_); }
+
+ private:
+  std::int64_t first_hit(const Ray& r) {
     RTCRayHit hit;
     hit.ray.org_x = static_cast<float>(r.o.x);
     hit.ray.org_y = static_cast<float>(r.o.y);
@@ -50,9 +57,6 @@ class EmbreeCaster : public Caster {
     return hit.hit.geomID == RTC_INVALID_GEOMETRY_ID ? -1 : std::int64_t{hit.hit.primID};
   }
 
-  std::size_t bytes() const override { return static_cast<std::size_t>(bytes_); }
-
- private:
   void add(const Mesh& mesh) {
     RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
     auto* vertex = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,

@@ -2,8 +2,13 @@
 // POV-Ray, all on one thread. `./run bench tracer` builds and runs it. Casters of one population are interleaved in
 // random order, 15 times each; CPU time, since others may use the machine. The last lines are `ratio NAME VALUE`: our
 // rays a second over theirs, of medians, with those of opposite quartiles in brackets.
+//
+// We trace rays one by one (`ours`) and many in a call (`ours_batch`), with equal answers. What the ratios are
+// of: `embree_*`: ours one by one over Embree's rtcIntersect1, like with like; `aabb_*`: our batch over CGAL's tree,
+// which has no such call, the rays being known beforehand; `embree_batch_*` and `aabb_single_*` the other way about.
 #include <malloc.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
@@ -24,7 +29,8 @@ struct CasterRow {
   std::unique_ptr<Caster> (*make)(const Mesh&);
 };
 
-const CasterRow rows[] = {{"ours", make_ours}, {"embree", make_embree}, {"aabb", make_aabb}};
+const CasterRow rows[] = {
+    {"ours", make_ours}, {"ours_batch", make_ours_batch}, {"embree", make_embree}, {"aabb", make_aabb}};
 
 struct Population {
   std::string name;
@@ -61,25 +67,27 @@ void build(Subject& subject) {
   }
 }
 
+std::vector<std::int64_t> answers(Caster& caster, const Population& population) {
+  std::vector<std::int64_t> hits(population.rays.size());
+  caster.first_hits(population.rays, hits);
+  return hits;
+}
+
 /// Who answers otherwise than we do, exactly, and how often.
 void compare(const Subject& subject, const Population& population) {
-  std::size_t hits = 0;
-  for (std::size_t c = 0; c < subject.casters.size(); ++c) {
+  const std::vector<std::int64_t> exact = answers(*subject.casters[0], population);
+  const auto hit = std::count_if(exact.begin(), exact.end(), [](std::int64_t id) { return id >= 0; });
+  std::printf("%s_%s: %zu rays, %td hit\n", population.name.c_str(), subject.name.c_str(), exact.size(), hit);
+  for (std::size_t c = 1; c < subject.casters.size(); ++c) {
+    const std::vector<std::int64_t> theirs = answers(*subject.casters[c], population);
     std::size_t lost = 0, invented = 0, others = 0;
-    for (const Ray& ray : population.rays) {
-      const std::int64_t exact = subject.casters[0]->first_hit(ray), answer = subject.casters[c]->first_hit(ray);
-      hits += c == 0 && exact >= 0;
-      lost += answer < 0 && exact >= 0;
-      invented += answer >= 0 && exact < 0;
-      others += answer >= 0 && exact >= 0 && answer != exact;
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+      lost += theirs[i] < 0 && exact[i] >= 0;
+      invented += theirs[i] >= 0 && exact[i] < 0;
+      others += theirs[i] >= 0 && exact[i] >= 0 && theirs[i] != exact[i];
     }
-    if (c == 0) {
-      std::printf("%s_%s: %zu rays, %zu hit\n", population.name.c_str(), subject.name.c_str(), population.rays.size(),
-                  hits);
-    } else {
-      std::printf("  %s: %zu hits lost, %zu invented, %zu on another triangle\n", rows[c].name.c_str(), lost, invented,
-                  others);
-    }
+    std::printf("  %s: %zu hits lost, %zu invented, %zu on another triangle\n", rows[c].name.c_str(), lost, invented,
+                others);
   }
 }
 
@@ -88,24 +96,35 @@ void time_casters(const Subject& subject, const Population& population) {
     Caster* caster = subject.casters[c].get();
     const std::vector<Ray>* rays = &population.rays;
     benchmark::RegisterBenchmark(named(subject, population, rows[c].name).c_str(), [=](benchmark::State& state) {
+      std::vector<std::int64_t> hits(rays->size());
       for (auto _ : state) {
-        std::int64_t sum = 0;
-        for (const Ray& ray : *rays) sum += caster->first_hit(ray);
-        benchmark::DoNotOptimize(sum);
+        caster->first_hits(*rays, hits);
+        benchmark::DoNotOptimize(hits.data());
+        benchmark::ClobberMemory();
       }
       state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(rays->size()));
     });
   }
 }
 
+/// Whom we compare with whom; see above.
+struct Comparison {
+  const char *name, *peer, *ours;
+};
+
+const Comparison comparisons[] = {{"embree", "embree", "ours"},
+                                  {"aabb", "aabb", "ours_batch"},
+                                  {"embree_batch", "embree", "ours_batch"},
+                                  {"aabb_single", "aabb", "ours"}};
+
 void print_ratios(const Medians& m, const std::vector<std::string>& scenes) {
-  for (const char* peer : {"embree", "aabb"}) {
-    for (const char* at : {"coherent_16k", "random_16k", "coherent_1m", "random_1m"}) {
-      m.print_ratio(std::string(peer) + "_" + at, std::string(at) + "/" + peer, std::string(at) + "/ours");
+  for (const Comparison& c : comparisons) {
+    for (const std::string at : {"coherent_16k", "random_16k", "coherent_1m", "random_1m"}) {
+      m.print_ratio(c.name + ("_" + at), at + "/" + c.peer, at + "/" + c.ours);
     }
   }
   for (const char* rays : {"coherent", "random"}) {
-    for (const char* who : {"ours", "embree", "aabb"}) {
+    for (const char* who : {"ours", "ours_batch", "embree", "aabb"}) {
       m.print_ratio(std::string("slowdown_") + rays + "_" + who, std::string(rays) + "_1m/" + who,
                     std::string(rays) + "_16k/" + who);
     }

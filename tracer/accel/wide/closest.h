@@ -89,7 +89,8 @@ class ClosestFinder final : public Finder {
     return {std::max(bounds.least, span.first), std::min(bounds.greatest, span.last)};
   }
 
-  bool is_closer(const BoundedHit& hit, const BoundedHit& than) const {
+  /// Takes a copy, so that the hit itself may stay in registers: nobody else learns where it is.
+  bool is_closer(BoundedHit hit, const BoundedHit& than) const {
     if (hit.bounds.greatest < than.bounds.least) return true;
     if (hit.bounds.least > than.bounds.greatest) return false;
     const Sign order = judge_.order(hit, than);

@@ -4,7 +4,7 @@
 #include "exact/filtered/batch/batch_lanes.h"
 #include "exact/filtered/batch/polygon_lanes.h"
 #include "exact/filtered/batch/term_lanes.h"
-#include "tracer/accel/wide/packet_probe.h"
+#include "tracer/accel/wide/packet_boxes.h"
 
 namespace tribunal::HWY_NAMESPACE {
 
@@ -12,7 +12,7 @@ inline constexpr unsigned all_lanes = (1U << packet_size) - 1, chunk_lanes = (1U
 
 /// Which lanes still ask, how far, and what they found: what the two walks share.
 struct PacketState {
-  PacketState(const ProbePacket& p, const PacketProbe& boxes, PacketAnswer& told)
+  PacketState(const ProbePacket& p, const ProbeColumns& boxes, PacketAnswer& told)
       : packet(p), asking(p.lanes & boxes.held), answer(told) {}
 
   const ProbePacket& packet;
@@ -84,7 +84,7 @@ HWY_INLINE void push_children(const WideNode& node, const PacketBoxes& boxes, un
 
 /// Calls leaf(ref, lanes) for the leaves that asking lanes may meet by their limits, nearer ones first if in_order.
 template <bool in_order, class Leaf>
-HWY_INLINE void walk_together(const WideTree& tree, const PacketProbe& probe, PacketState& state, const Leaf& leaf) {
+HWY_INLINE void walk_together(const WideTree& tree, const ProbeColumns& probe, PacketState& state, const Leaf& leaf) {
   if (tree.empty()) return;
   const PacketBoxes boxes(probe);
   PacketStack stack;
@@ -219,7 +219,7 @@ class PacketSieve {
 /// The closest hit of each lane so far: bounds of its parameter, and the face.
 class ClosestLanes {
  public:
-  ClosestLanes(const PacketProbe& probe, PacketState& state) : probe_(probe), state_(state) {
+  ClosestLanes(const ProbeColumns& probe, PacketState& state) : probe_(probe), state_(state) {
     for (std::size_t k = 0; k < packet_size; ++k) {
       least_[k] = greatest_[k] = std::numeric_limits<double>::infinity();
       state.limit[k] = WideProbe::far_away;
@@ -267,13 +267,14 @@ class ClosestLanes {
     hn::StoreU(hn::DemoteTo(halves, in_range.v), halves, state_.limit + c);
   }
 
-  const PacketProbe& probe_;
+  const ProbeColumns& probe_;
   PacketState& state_;
   alignas(64) double least_[packet_size], greatest_[packet_size];
 };
 
 [[gnu::flatten]] inline void first_hits(const PacketFaces& faces, const ProbePacket& packet, PacketAnswer& answer) {
-  const PacketProbe probe = PacketProbe::of<Ray>(packet, faces.tree.frame());
+  ProbeColumns probe;
+  make_ready<Ray>(packet, faces.tree.frame(), probe);
   PacketState state(packet, probe, answer);
   ClosestLanes closest(probe, state);
   PacketSieve<Ray> sieve(faces, state);
@@ -284,7 +285,8 @@ class ClosestLanes {
 }
 
 [[gnu::flatten]] inline void any_hits(const PacketFaces& faces, const ProbePacket& packet, PacketAnswer& answer) {
-  const PacketProbe probe = PacketProbe::of<Segment>(packet, faces.tree.frame());
+  ProbeColumns probe;
+  make_ready<Segment>(packet, faces.tree.frame(), probe);
   PacketState state(packet, probe, answer);
   for (std::size_t k = 0; k < packet_size; ++k)
     state.limit[k] = static_cast<float>(std::min(probe.scale[k] * (1 + 0x1p-20) + 0x1p-100, 0x1p100));

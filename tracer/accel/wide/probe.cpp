@@ -11,7 +11,6 @@ using Double4 = double __attribute__((vector_size(32)));
 using Bits4 = std::int64_t __attribute__((vector_size(32)));
 using Float4 = float __attribute__((vector_size(16)));
 
-constexpr double smallest_component = 0x1p-60, farthest_start = 0x1p30;
 constexpr std::int64_t sign_bit = INT64_MIN;
 constexpr std::uint64_t exponent_bits = 0x7ff0000000000000;
 
@@ -26,7 +25,7 @@ double inverse_of(double power) {
 }
 
 /// Whether both 2^e and its inverse are normal.
-bool is_ordinary(double power) { return power >= 0x1p-1000 && power <= 0x1p1000; }
+bool is_ordinary(double power) { return power >= WideProbe::least_scale && power <= 1 / WideProbe::least_scale; }
 
 /// Differences that overflow are made of halves.
 bool overflows(const Point3& d) { return !(largest(d) <= 0x1p1000); }
@@ -45,8 +44,8 @@ WideProbe::WideProbe(const Point3& o, const Point3& d, double growth, const Fram
   const double power = power_below(largest(brought));
   const Point3 s = frame.unit * (o - frame.centre);
   const double start = largest(s);
-  scale_ = is_ordinary(power) ? frame.unit * power / first * growth : 0;
-  if (!(start <= farthest_start) || !is_ordinary(scale_)) {
+  scale = is_ordinary(power) ? frame.unit * power / first * growth : 0;
+  if (!(start <= farthest_start) || !is_ordinary(scale)) {
     meet_everything();
     return;
   }
@@ -59,14 +58,13 @@ WideProbe::WideProbe(const Point3& o, const Point3& d, double growth, const Fram
   const Double4 c = from * __builtin_convertvector(r, Double4), e = widening * (positive * (1 + 0x1p-23));
   const Float4 near_c = __builtin_convertvector(c + e, Float4), far_c = __builtin_convertvector(c - e, Float4);
   for (std::uint32_t i = 0; i < 3; ++i) {
-    const std::uint32_t backward = sign[i] != 0 ? 3 : 0;
-    axes[i] = {r[i], near_c[i], far_c[i], i + backward, i + 3 - backward};
+    axes[i] = axis(i, r[i], near_c[i], far_c[i], sign[i] != 0);
   }
 }
 
 void WideProbe::meet_everything() {
-  scale_ = std::numeric_limits<double>::infinity();
-  for (std::uint32_t i = 0; i < 3; ++i) axes[i] = {0x1p-50F, 0x1p20F, -0x1p20F, i, i + 3};
+  scale = std::numeric_limits<double>::infinity();
+  for (std::uint32_t i = 0; i < 3; ++i) axes[i] = axis(i, 0x1p-50F, 0x1p20F, -0x1p20F, false);
 }
 
 }  // namespace tribunal

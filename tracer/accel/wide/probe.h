@@ -41,28 +41,35 @@ namespace tribunal {
 struct WideProbe {
   struct Axis {
     float r, near_c, far_c;
-    std::uint32_t near_plane, far_plane;  ///< of WideNode::plane
+    std::uint32_t near_plane, far_plane;  ///< where these start among the coordinates of WideNode::plane
   };
 
+  WideProbe() = default;
   WideProbe(const Ray& ray, const Frame& frame) : WideProbe(ray.o, ray.d.v, 1, frame) {}
   WideProbe(const Segment& s, const Frame& frame);
 
   /// A bound on τ that is at least scale·t, for a bound on t.
   float limit_at(double t) const {
-    const double x = t * scale_;
+    const double x = t * scale;
     return x < 0x1p60 ? static_cast<float>(x * (1 + 0x1p-20) + 0x1p-100) : far_away;
   }
 
   static constexpr float far_away = 0x1p100F;  ///< beyond every box, as a bound on τ
 
+  static constexpr double smallest_component = 0x1p-60, farthest_start = 0x1p30, least_scale = 0x1p-1000;
+
+  static Axis axis(std::uint32_t i, float r, float near_c, float far_c, bool backward) {
+    const auto plane = [&](bool upper) { return static_cast<std::uint32_t>((i + (upper ? 3 : 0)) * node_width); };
+    return {r, near_c, far_c, plane(backward), plane(!backward)};
+  }
+
   std::array<Axis, 3> axes;
+  double scale;  ///< τ = scale·t
 
  private:
   /// x = o + t·(growth·d'), where d = d' exactly or up to rounding.
   WideProbe(const Point3& o, const Point3& d, double growth, const Frame& frame);
   void meet_everything();
-
-  double scale_;
 };
 
 }  // namespace tribunal

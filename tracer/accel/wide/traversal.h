@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "tracer/accel/wide/probe.h"
 
@@ -33,6 +34,13 @@ struct WalkCounts {
   std::uint64_t boxes = 0, missed = 0;
 };
 
+/// One of many walks: a ray, what it is to boxes, and who is told of its findings.
+struct RayWalk {
+  const Ray* ray;
+  const WideProbe* probe;
+  Finder* finder;
+};
+
 /// Law of all walks: every primitive that the probe exactly meets at t ≤ limit is found, but for those that are
 /// certainly missed. `sifted` walks skip triangles that the filter of shared_volumes.h is certain are missed; the
 /// plain walk finds all primitives of all leaves.
@@ -40,6 +48,12 @@ struct TreeTarget {
   void (*sift_ray)(const WideTree&, const WideProbe&, const Ray&, Finder&, WalkCounts&);
   void (*sift_segment)(const WideTree&, const WideProbe&, const Segment&, Finder&, WalkCounts&);
   void (*visit_all)(const WideTree&, const WideProbe&, Finder&, WalkCounts&);
+
+  /// probes[i] = WideProbe(rays[i], frame).
+  void (*make_probes)(std::span<const Ray>, const Frame&, WideProbe* probes);
+
+  /// Each as by sift_ray, all at the same time; no `found` may stop its walk. May tell of a finding twice.
+  void (*sift_rays)(const WideTree&, std::span<const RayWalk>, WalkCounts&);
 };
 
 extern const TreeTarget tree_avx512, tree_avx2, tree_portable;

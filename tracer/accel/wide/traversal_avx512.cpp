@@ -1,6 +1,6 @@
 // Compiled for AVX-512 (F, BW, CD, DQ, VL).
 #define HWY_COMPILE_ONLY_STATIC
-#include "tracer/accel/wide/traversal_lanes.h"
+#include "tracer/accel/wide/stream_lanes.h"
 
 namespace tribunal {
 

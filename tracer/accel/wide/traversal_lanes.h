@@ -5,9 +5,7 @@
 
 #include <bit>
 
-#include "exact/filtered/batch/lanes.h"
-#include "exact/filtered/shared_volumes.h"
-#include "tracer/accel/wide/traversal.h"
+#include "tracer/accel/wide/sieve_lanes.h"
 
 namespace tribunal::HWY_NAMESPACE {
 
@@ -21,12 +19,13 @@ inline constexpr std::size_t cache_line = 64;
 struct BoxLanes {
   struct Axis {
     BoxVector r, near_c, far_c;
-    std::uint32_t near_plane, far_plane;
+    std::uint32_t near_plane, far_plane;  ///< their first coordinates
   };
 
   explicit BoxLanes(const WideProbe& p) : x(axis(p.axes[0])), y(axis(p.axes[1])), z(axis(p.axes[2])) {}
 
-  /// Which children may be met at τ ≤ limit, a bit each; entry[k] is where.
+  /// Which children may be met at τ ≤ limit, a bit each; entry[k] is where. No entry is −0: of equal operands, Max
+  /// returns the second.
   HWY_INLINE unsigned entered(const WideNode& node, float limit, float* entry) const {
     unsigned met = 0;
     for (std::size_t k = 0; k < node_width; k += hn::Lanes(box_tag)) {
@@ -47,10 +46,10 @@ struct BoxLanes {
     return {hn::Set(box_tag, a.r), hn::Set(box_tag, a.near_c), hn::Set(box_tag, a.far_c), a.near_plane, a.far_plane};
   }
   static HWY_INLINE BoxVector near(const WideNode& node, const Axis& a, std::size_t k) {
-    return hn::MulSub(hn::LoadU(box_tag, node.plane[a.near_plane] + k), a.r, a.near_c);
+    return hn::MulSub(hn::LoadU(box_tag, node.plane[0] + a.near_plane + k), a.r, a.near_c);
   }
   static HWY_INLINE BoxVector far(const WideNode& node, const Axis& a, std::size_t k) {
-    return hn::MulSub(hn::LoadU(box_tag, node.plane[a.far_plane] + k), a.r, a.far_c);
+    return hn::MulSub(hn::LoadU(box_tag, node.plane[0] + a.far_plane + k), a.r, a.far_c);
   }
 
   Axis x, y, z;
@@ -86,19 +85,31 @@ class WaitingNodes {
 };
 
 /// Asks for the first cache lines of a node or leaf that will be wanted.
-HWY_INLINE void prefetch(const WideTree& tree, NodeRef r) {
-  const void* const start = r.is_leaf() ? static_cast<const void*>(tree.columns(r)) : tree.nodes() + r.index();
-  for (std::size_t offset = 0; offset < 256; offset += cache_line)
-    hwy::Prefetch(static_cast<const char*>(start) + offset);
-}
+class Prefetcher {
+ public:
+  explicit Prefetcher(const WideTree& tree)
+      : start_{as_bytes(tree.nodes()), as_bytes(tree.columns(NodeRef::leaf(0, 1)))} {}
+
+  /// Without a branch, which nothing would foretell.
+  HWY_INLINE void operator()(NodeRef r) const {
+    static constexpr std::size_t size[] = {sizeof(WideNode), column_count * sizeof(double)};
+    const char* const wanted = start_[r.is_leaf()] + size[r.is_leaf()] * r.first();
+    for (std::size_t offset = 0; offset < 256; offset += cache_line) hwy::Prefetch(wanted + offset);
+  }
+
+ private:
+  static const char* as_bytes(const void* p) { return static_cast<const char*>(p); }
+
+  const char* start_[2];
+};
 
 /// Pushes the children that are met; the one entered first is returned. Not for none.
-HWY_INLINE std::uint64_t first_of(const WideTree& tree, const WideNode& node, unsigned met, const float* entry,
+HWY_INLINE std::uint64_t first_of(const Prefetcher& prefetch, const WideNode& node, unsigned met, const float* entry,
                                   WaitingNodes& waiting) {
   const auto next = [&] {
     const auto k = static_cast<std::size_t>(std::countr_zero(met));
     met &= met - 1;
-    prefetch(tree, node.child[k]);
+    prefetch(node.child[k]);
     return WaitingNodes::key(entry[k], node.child[k]);
   };
   const std::uint64_t a = next();
@@ -122,6 +133,7 @@ HWY_INLINE void walk(const WideTree& tree, const WideProbe& probe, const Finder&
                      const Leaf& leaf) {
   if (tree.empty()) return;
   const BoxLanes lanes(probe);
+  const Prefetcher prefetch(tree);
   const WideNode* const nodes = tree.nodes();
   WaitingNodes waiting;
   NodeRef at = tree.root();
@@ -135,7 +147,7 @@ HWY_INLINE void walk(const WideTree& tree, const WideProbe& probe, const Finder&
       counts.boxes += node_width;
       const unsigned met = lanes.entered(node, finder.limit, entry);
       descend = met != 0;
-      if (descend) at = NodeRef(static_cast<std::uint32_t>(first_of(tree, node, met, entry, waiting)));
+      if (descend) at = NodeRef(static_cast<std::uint32_t>(first_of(prefetch, node, met, entry, waiting)));
     }
     while (!descend) {
       if (waiting.empty()) return;
@@ -146,93 +158,15 @@ HWY_INLINE void walk(const WideTree& tree, const WideProbe& probe, const Finder&
   }
 }
 
-/// The probe and the filter's constants in every lane.
-template <class P>
-class LeafSieve {
- public:
-  explicit LeafSieve(const P& probe)
-      : source_(broadcast(tribunal::source(probe))), target_(broadcast(vector_of(tribunal::target(probe)))) {}
-
-  /// Tells of the triangles of a leaf that are not certainly missed.
-  HWY_INLINE bool sift(const WideTree& tree, NodeRef leaf, Finder& finder, WalkCounts& counts) const {
-    const double* const column = tree.columns(leaf);
-    const std::size_t count = leaf.count();
-    constexpr std::size_t step = HWY_LANES(double);
-    for (std::size_t from = 0; from < count; from += step) {
-      const unsigned present = (1U << std::min(step, count - from)) - 1;
-      const Arms<Lanes> arms =
-          arms_of(vertex(column + from, 0, count), vertex(column + from, 1, count), vertex(column + from, 2, count));
-      const Vec3<Lanes> m = largest(arms);
-      const Lanes bound = volume_bound(m, constants_);
-      const SharedVolumes<Lanes> volumes = shared_volumes<P>(arms);
-      const Lanes margin = margin_of(volumes);
-      const unsigned safe = in_range(m, constants_).bits();
-      const unsigned missed = certain_miss(margin, bound).bits() & safe;
-      counts.missed += static_cast<unsigned>(std::popcount(missed & present));
-      const unsigned rest = present & ~missed;
-      if (HWY_LIKELY(rest == 0)) continue;
-      const unsigned hit = certain_hit(margin, bound).bits() & safe;
-      if (tell(leaf, static_cast<std::uint32_t>(from), rest, hit, safe, volumes.sides, bound, finder)) return true;
-    }
-    return false;
-  }
-
- private:
-  static const Point3& vector_of(const Point3& p) { return p; }
-  static const Point3& vector_of(const Direction& d) { return d.v; }
-  static Vec3<Lanes> broadcast(const Point3& p) { return {Lanes(p.x), Lanes(p.y), Lanes(p.z)}; }
-
-  static HWY_INLINE Vec3<Lanes> vertex(const double* column, std::size_t k, std::size_t count) {
-    return {Lanes::load(column + 3 * k * count), Lanes::load(column + (3 * k + 1) * count),
-            Lanes::load(column + (3 * k + 2) * count)};
-  }
-
-  HWY_INLINE Arms<Lanes> arms_of(const Vec3<Lanes>& a, const Vec3<Lanes>& b, const Vec3<Lanes>& c) const {
-    if constexpr (std::is_same_v<P, Segment>) {
-      return segment_arms<Lanes>(source_, target_, {a, b, c});
-    } else {
-      return ray_arms<Lanes>(source_, target_, {a, b, c});
-    }
-  }
-
-  static HWY_NOINLINE bool tell(NodeRef leaf, std::uint32_t from, unsigned rest, unsigned hit, unsigned safe,
-                                const Sides<Lanes>& sides, const Lanes& bound, Finder& finder) {
-    double source[8], toward[8], bounds[8];
-    hn::StoreU(sides.source.v, tag, source);
-    hn::StoreU(sides.toward.v, tag, toward);
-    hn::StoreU(bound.v, tag, bounds);
-    for (; rest != 0; rest &= rest - 1) {
-      const unsigned k = static_cast<unsigned>(std::countr_zero(rest));
-      const bool known = (safe >> k & 1) != 0;
-      const Finding finding{{leaf, from + k},
-                            (hit >> k & 1) != 0,
-                            source[k],
-                            -toward[k],
-                            known ? bounds[k] : std::numeric_limits<double>::infinity()};
-      if (finder.found(finding)) return true;
-    }
-    return false;
-  }
-
-  Vec3<Lanes> source_, target_;
-  FilterConstants<Lanes> constants_{Lanes(shared_volumes_filter.k), Lanes(shared_volumes_filter.tiny),
-                                    Lanes(shared_volumes_filter.huge)};
-};
-
-/// Tells of all primitives of a leaf, with nothing known of them.
-inline bool tell_all(NodeRef leaf, Finder& finder) {
-  for (std::uint32_t lane = 0; lane < leaf.count(); ++lane) {
-    if (finder.found({{leaf, lane}, false, 0, 0, std::numeric_limits<double>::infinity()})) return true;
-  }
-  return false;
-}
-
 template <class P>
 [[gnu::flatten]] void sift(const WideTree& tree, const WideProbe& probe, const P& exact_probe, Finder& finder,
                            WalkCounts& counts) {
   const LeafSieve<P> sieve(exact_probe);
-  walk(tree, probe, finder, counts, [&](NodeRef leaf) {
-    return leaf.holds_triangles() ? sieve.sift(tree, leaf, finder, counts) : tell_all(leaf, finder);
+  Sifted sifted;
+  walk(tree, probe, finder, counts, [&](NodeRef leaf) HWY_ATTR {
+    if (!leaf.holds_triangles()) return tell_all(leaf, finder);
+    sieve.sift(tree, leaf, sifted, counts);
+    return sifted.rest != 0 && sifted.tell(leaf, finder);
   });
 }
 
@@ -240,7 +174,5 @@ template <class P>
                                        WalkCounts& counts) {
   walk(tree, probe, finder, counts, [&](NodeRef leaf) { return tell_all(leaf, finder); });
 }
-
-inline constexpr TreeTarget tree_target_here() { return {sift<Ray>, sift<Segment>, visit_all}; }
 
 }  // namespace tribunal::HWY_NAMESPACE

@@ -1,6 +1,6 @@
 // Compiled for no vector instructions in particular.
 #define HWY_COMPILE_ONLY_SCALAR
-#include "tracer/accel/wide/traversal_lanes.h"
+#include "tracer/accel/wide/stream_lanes.h"
 
 namespace tribunal {
 

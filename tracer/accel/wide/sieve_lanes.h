@@ -1,0 +1,98 @@
+// The filter on the triangles of a leaf, one a lane. Included by files that are compiled for one instruction set each.
+#pragma once
+
+#include <bit>
+
+#include "exact/filtered/batch/lanes.h"
+#include "exact/filtered/shared_volumes.h"
+#include "tracer/accel/wide/traversal.h"
+
+namespace tribunal::HWY_NAMESPACE {
+
+/// What a sieve leaves of a leaf: a bit each for triangles that are not certainly missed, are certainly hit, and of
+/// which the filter may be asked; the sides of those, up to ±bound.
+struct Sifted {
+  unsigned rest = 0, hit = 0, safe = 0;
+  double source[leaf_size], toward[leaf_size], bound[leaf_size];
+
+  /// Tells of them, until the finder has enough.
+  HWY_NOINLINE bool tell(NodeRef leaf, Finder& finder) const {
+    for (unsigned left = rest; left != 0; left &= left - 1) {
+      const auto k = static_cast<std::uint32_t>(std::countr_zero(left));
+      const bool known = (safe >> k & 1) != 0;
+      const Finding finding{{leaf, k},
+                            (hit >> k & 1) != 0,
+                            source[k],
+                            -toward[k],
+                            known ? bound[k] : std::numeric_limits<double>::infinity()};
+      if (finder.found(finding)) return true;
+    }
+    return false;
+  }
+};
+
+/// The probe and the filter's constants in every lane.
+template <class P>
+class LeafSieve {
+ public:
+  explicit LeafSieve(const P& probe)
+      : source_(broadcast(tribunal::source(probe))), target_(broadcast(vector_of(tribunal::target(probe)))) {}
+
+  HWY_INLINE void sift(const WideTree& tree, NodeRef leaf, Sifted& sifted, WalkCounts& counts) const {
+    const double* const column = tree.columns(leaf);
+    const std::size_t count = leaf.count();
+    constexpr std::size_t step = HWY_LANES(double);
+    unsigned missed = 0;
+    sifted.hit = sifted.safe = 0;
+    for (std::size_t from = 0; from < count; from += step) {
+      const Arms<Lanes> arms =
+          arms_of(vertex(column + from, 0, count), vertex(column + from, 1, count), vertex(column + from, 2, count));
+      const Vec3<Lanes> m = largest(arms);
+      const Lanes bound = volume_bound(m, constants_);
+      const SharedVolumes<Lanes> volumes = shared_volumes<P>(arms);
+      const Lanes margin = margin_of(volumes);
+      const unsigned safe = in_range(m, constants_).bits();
+      sifted.safe |= safe << from;
+      missed |= (certain_miss(margin, bound).bits() & safe) << from;
+      sifted.hit |= (certain_hit(margin, bound).bits() & safe) << from;
+      hn::StoreU(volumes.sides.source.v, tag, sifted.source + from);
+      hn::StoreU(volumes.sides.toward.v, tag, sifted.toward + from);
+      hn::StoreU(bound.v, tag, sifted.bound + from);
+    }
+    const unsigned present = (1U << count) - 1;
+    counts.missed += static_cast<unsigned>(std::popcount(missed & present));
+    sifted.rest = present & ~missed;
+  }
+
+ private:
+  static const Point3& vector_of(const Point3& p) { return p; }
+  static const Point3& vector_of(const Direction& d) { return d.v; }
+  static Vec3<Lanes> broadcast(const Point3& p) { return {Lanes(p.x), Lanes(p.y), Lanes(p.z)}; }
+
+  static HWY_INLINE Vec3<Lanes> vertex(const double* column, std::size_t k, std::size_t count) {
+    return {Lanes::load(column + 3 * k * count), Lanes::load(column + (3 * k + 1) * count),
+            Lanes::load(column + (3 * k + 2) * count)};
+  }
+
+  HWY_INLINE Arms<Lanes> arms_of(const Vec3<Lanes>& a, const Vec3<Lanes>& b, const Vec3<Lanes>& c) const {
+    if constexpr (std::is_same_v<P, Segment>) {
+      return segment_arms<Lanes>(source_, target_, {a, b, c});
+    } else {
+      return ray_arms<Lanes>(source_, target_, {a, b, c});
+    }
+  }
+
+  Vec3<Lanes> source_, target_;
+  FilterConstants<Lanes> constants_{Lanes(shared_volumes_filter.k), Lanes(shared_volumes_filter.tiny),
+                                    Lanes(shared_volumes_filter.huge)};
+};
+
+/// Tells of all primitives of a leaf, with nothing known of them.
+inline bool tell_all(NodeRef leaf, Finder& finder) {
+  for (std::uint32_t lane = 0; lane < leaf.count(); ++lane) {
+    if (finder.found({{leaf, lane}, false, 0, 0, std::numeric_limits<double>::infinity()})) return true;
+  }
+  return false;
+}
+
+}  // namespace tribunal::HWY_NAMESPACE

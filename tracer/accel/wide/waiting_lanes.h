@@ -1,0 +1,96 @@
+// Boxes that wait to be entered, without branches that depend on which these are. Included by files that are compiled
+// for one instruction set each.
+#pragma once
+
+#include "tracer/accel/wide/traversal_lanes.h"
+
+namespace tribunal::HWY_NAMESPACE {
+
+using KeyTag = hn::RebindToUnsigned<BoxTag>;
+using WaitingTag = hn::CappedTag<std::uint32_t, 16>;
+
+inline constexpr KeyTag key_tag;
+inline constexpr WaitingTag waiting_tag;
+
+/// The lanes from `from` of a mask that is given by its bits.
+HWY_INLINE hn::Mask<KeyTag> lanes_of(unsigned bits, std::size_t from) {
+  const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits >> from)};
+  return hn::LoadMaskBits(key_tag, bytes);
+}
+
+/// Entries as numbers with the lane's own in the last bits: entries having no sign, the least of them tells the
+/// lane, and, without those bits, a bound from below of the least entry.
+template <class D>
+HWY_INLINE hn::Vec<D> keys(D d, const float* entry, std::size_t first, std::uint32_t lane_bits) {
+  const auto bits = hn::LoadU(d, reinterpret_cast<const std::uint32_t*>(entry));
+  return hn::Or(hn::AndNot(hn::Set(d, lane_bits), bits), hn::Iota(d, static_cast<std::uint32_t>(first)));
+}
+
+/// The slot that is entered first, or about so, among those met; any for none.
+HWY_INLINE unsigned nearest_of(const float* entry, unsigned met) {
+  const auto none = hn::Set(key_tag, ~0U);
+  auto least = none;
+  for (std::size_t k = 0; k < node_width; k += hn::Lanes(key_tag)) {
+    const auto key = keys(key_tag, entry + k, k, node_width - 1);
+    least = hn::Min(least, hn::IfThenElse(lanes_of(met, k), key, none));
+  }
+  return hn::GetLane(hn::MinOfLanes(key_tag, least)) & (node_width - 1);
+}
+
+/// Boxes that wait to be entered, in no order.
+class WaitingBoxes {
+ public:
+  void clear() { size_ = 0; }
+  bool empty() const { return size_ == 0; }
+
+  /// Whether all children of a node find room.
+  bool has_room() const { return size_ + node_width <= capacity; }
+
+  HWY_INLINE void push(const float* entry, const NodeRef* child, unsigned met) {
+    static_assert(sizeof(NodeRef) == sizeof(std::uint32_t));
+    std::size_t end = size_;
+    for (std::size_t k = 0; k < node_width; k += hn::Lanes(key_tag)) {
+      const auto lanes = lanes_of(met, k);
+      store(entry + k, lanes, entry_ + end);
+      store(child + k, lanes, child_ + end);
+      end += hn::CountTrue(key_tag, lanes);
+    }
+    size_ = end;
+  }
+
+  /// Takes out the box that is entered first, or about so. Returns a bound from below of all entries. Not if empty.
+  HWY_INLINE float pop(NodeRef& child) {
+    constexpr std::uint32_t step = hn::MaxLanes(waiting_tag);
+    std::uint32_t least = ~0U;
+    std::size_t k = 0;
+    for (std::size_t i = 0; i < size_; i += step) {
+      const auto here = hn::IfThenElse(hn::FirstN(waiting_tag, size_ - i), keys(waiting_tag, entry_ + i, 0, step - 1),
+                                       hn::Set(waiting_tag, ~0U));
+      const std::uint32_t key = hn::GetLane(hn::MinOfLanes(waiting_tag, here));
+      k = key < least ? i + key % step : k;
+      least = std::min(least, key);
+    }
+    child = NodeRef(child_[k]);
+    --size_;
+    entry_[k] = entry_[size_];
+    child_[k] = child_[size_];
+    return std::bit_cast<float>(least / step * step);
+  }
+
+ private:
+  static constexpr std::size_t capacity = 48;  ///< walks seldom need more than 16
+  static constexpr std::size_t slack = 16;     ///< whole vectors are loaded and stored
+
+  /// Those of some lanes, side by side.
+  template <class From, class To>
+  static HWY_INLINE void store(const From* from, hn::Mask<KeyTag> lanes, To* to) {
+    const auto all = hn::LoadU(key_tag, reinterpret_cast<const std::uint32_t*>(from));
+    hn::StoreU(hn::Compress(all, lanes), key_tag, reinterpret_cast<std::uint32_t*>(to));
+  }
+
+  std::size_t size_;
+  float entry_[capacity + slack];
+  std::uint32_t child_[capacity + slack];
+};
+
+}  // namespace tribunal::HWY_NAMESPACE
