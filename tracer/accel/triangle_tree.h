@@ -21,16 +21,17 @@ struct Nearest {
 ///
 /// Laws. (1) `closest` is what a test of every triangle by exact arithmetic gives, in the tracer's reading: a
 /// triangle that holds the ray in its plane, or has no area, is not hit. (2) A ray that is not finite hits nothing.
-/// (3) All const functions may be called from any number of threads at once. (4) Rays in a batch get the answers that
-/// they get one by one.
+/// (3) All const functions may be called from any number of threads at once. (4) Rays in a batch get the ids that they
+/// get one by one; t may be rounded otherwise.
 class TriangleTree {
  public:
   explicit TriangleTree(std::span<const Triangle> triangles);
 
   std::optional<Nearest> closest(const Ray& ray) const;
 
-  /// hits[i] = closest(rays[i]), of rays that need have nothing to do with each other. Takes less time a ray, since
-  /// many are under way at once; best a hundred or more in a call. Both have the same length, else
+  /// hits[i] = closest(rays[i]). Takes less time a ray: rays that follow their neighbours walk with them in packets,
+  /// and of rays that have nothing to do with each other many are under way at once. A few of each call tell which
+  /// these are; best a thousand in a call, and neighbours next to each other. Both have the same length, else
   /// std::invalid_argument is thrown. Nothing is allocated.
   void closest(std::span<const Ray> rays, std::span<std::optional<Nearest>> hits) const;
 

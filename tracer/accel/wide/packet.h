@@ -21,7 +21,8 @@ struct ProbePacket {
   alignas(64) double apart[2][packet_size] = {};  ///< ids of faces that do not matter to the probe
   unsigned lanes = 0;                             ///< where a probe is, a bit each
 
-  void set(std::size_t lane, const Point3& from, const Point3& to, std::uint32_t face, std::uint32_t other) {
+  void set(std::size_t lane, const Point3& from, const Point3& to, std::uint32_t face = ~0U,
+           std::uint32_t other = ~0U) {
     for (int i = 0; i < 3; ++i) source[i][lane] = from[i], target[i][lane] = to[i];
     apart[0][lane] = face;
     apart[1][lane] = other;
@@ -35,10 +36,14 @@ struct PacketAnswer {
   unsigned known = 0;                          ///< lanes whose answer is certain
   unsigned hit = 0;                            ///< of these: whose probe hits a face
   alignas(64) double id[packet_size] = {};     ///< the first face hit, of rays
+  alignas(64) double t[packet_size] = {};      ///< where, rounded
   alignas(64) double tests[packet_size] = {};  ///< faces that were in the leaves that the lane came to
 
   // Of all lanes together: certain answers about a face, those that said hit, and box tests.
   std::uint64_t triangle_tests = 0, triangle_hits = 0, polygon_tests = 0, polygon_hits = 0, boxes = 0;
+
+  std::uint64_t boxes_visited =
+      0;  ///< by the packet: were all lanes at work in each, `boxes` would be eight times that
 };
 
 /// The faces that packets are asked about: a tree, and what its primitives are that are no triangles.

@@ -52,24 +52,23 @@ class PacketStack {
   };
 };
 
-/// Pushes the children that some asking lanes enter: the one that a lane enters first on top.
+/// Pushes the children that some asking lanes enter: the one that a lane enters first on top. Whether a child is
+/// entered cannot be foreseen, so there is no branch on it.
 template <bool in_order>
 HWY_INLINE void push_children(const WideNode& node, const PacketBoxes& boxes, unsigned lanes, PacketState& state,
                               PacketStack& stack) {
   WaitingNode children[node_width];
   std::uint64_t keys[node_width];
-  std::size_t met = 0;
-  std::size_t k = 0;
+  std::size_t met = 0, k = 0;
   for (; k < node_width && !node.is_empty(k); ++k) {
     WaitingNode& child = children[met];
-    const unsigned entering = lanes & boxes.entered(node, k, state.limit, child.entry);
-    if (entering == 0) continue;
     child.at = node.child[k];
-    child.lanes = entering;
-    const float at = child.entry[std::countr_zero(entering)];
+    child.lanes = lanes & boxes.entered(node, k, state.limit, child.entry);
+    const float at = child.entry[std::countr_zero(child.lanes | 1U << (packet_size - 1))];
     keys[met] = std::uint64_t{std::bit_cast<std::uint32_t>(at)} << 32 | met;
-    ++met;
+    met += child.lanes != 0;
   }
+  state.answer.boxes_visited += k;
   state.answer.boxes += k * static_cast<std::uint64_t>(std::popcount(lanes));
   if (in_order) {
     for (std::size_t i = 1; i < met; ++i) {
@@ -240,6 +239,7 @@ class ClosestLanes {
     store(ahead, least, least_ + c);
     store(ahead, greatest, greatest_ + c);
     store(ahead, id, state_.answer.id + c);
+    store(ahead, n / d, state_.answer.t + c);
     lower_limit(c);
   }
 
