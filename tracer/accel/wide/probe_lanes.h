@@ -81,7 +81,7 @@ HWY_INLINE void write(const ProbeColumns& columns, std::size_t k, WideProbe& p) 
   }
 }
 
-/// The probe of each ray.
+/// The probe of each ray; of one that is not finite the scale is not a number.
 [[gnu::flatten]] inline void make_probes(std::span<const Ray> rays, const Frame& frame, WideProbe* probes) {
   static_assert(sizeof(Ray) == 6 * sizeof(double));
   constexpr hn::RebindToSigned<Tag> indices;
@@ -99,6 +99,7 @@ HWY_INLINE void write(const ProbeColumns& columns, std::size_t k, WideProbe& p) 
         write(columns, k, probes[i + k]);
       } else {
         probes[i + k] = WideProbe(rays[i + k], frame);
+        if (!is_finite(rays[i + k])) probes[i + k].scale = std::numeric_limits<double>::quiet_NaN();
       }
     }
   }
