@@ -9,25 +9,9 @@
 #include "core/polygon.h"
 #include "core/segura_feito_polygon.h"
 #include "exact/filtered/plane_crossing.h"
+#include "exact/filtered/polygon_figures.h"
 
 namespace tribunal {
-
-/// Up to 64 vertices of a polygon's rings in a row, projected and seen from the base; bit i of `edges` is set if a ring
-/// edge leads from vertex i to the next. Views the polygon's figures.
-struct RingRun {
-  const double *u = nullptr, *v = nullptr;
-  std::size_t size = 0;  ///< even
-  std::uint64_t edges = 0;
-};
-
-/// What the filter computes with: a vertex, the plane's normal, scaled, or zero where the filter abstains; the axes of
-/// the projection, and the rings in it. `extent` is their largest coordinate.
-struct PolygonFigures {
-  Vec3<double> base, normal;
-  double extent;
-  int u, v;
-  std::vector<RingRun> runs;
-};
 
 /// A polygon prepared for many probes. Views the polygon, which must outlive it and be finite.
 ///
@@ -57,7 +41,8 @@ class FilteredPolygon {
 
   /// Whether the polygon certainly covers, or certainly does not, every point of its plane that lies between the two
   /// ends in the projection: for short segments that cross the plane at too flat an angle, or too close to it, for
-  /// doubles to say where. Then all points between see the rings as both ends do.
+  /// doubles to say where. Then all points between see the rings as both ends do. The segment must be finite; of one
+  /// that does not cross the plane this says nothing.
   std::optional<bool> filter_between(const Segment& s) const;
 
   /// For the same filter on vector lanes (batch/polygon_lanes.h). Views this polygon, which may be moved.
@@ -72,8 +57,6 @@ class FilteredPolygon {
 
     bool odd() const { return __builtin_parityll(ahead) != 0; }
   };
-
-  inline static const Vec3<Twin<double>> nowhere{{0, 0}, {0, 0}, {0, 0}};
 
   void prepare_filter();
   void flatten(const Vec3<double>& base);
@@ -92,12 +75,13 @@ class FilteredPolygon {
                                      Twin<double> reach) const;
   View view_of(const RingRun& run, const PlaneCrossing<double>& x, double range) const;
 
-  Vec3<Twin<double>> base_ = nowhere, normal_ = nowhere;  ///< a vertex, and the plane's normal, scaled, or zero
-  double extent_ = 0;                                     ///< the largest coordinate of the projected vertices
-  int u_ = 0, v_ = 1;                                     ///< the axes on which the polygon is projected
-  RingRun first_run_{};              ///< the rings, closed, one after the other, as seen from the base
-  std::vector<RingRun> other_runs_;  ///< what is beyond 64 vertices
-  std::vector<double> flat_;         ///< what the runs point to
+  Vec3<Twin<double>> base_{{0, 0}, {0, 0}, {0, 0}},
+      normal_{{0, 0}, {0, 0}, {0, 0}};  ///< a vertex, and the plane's normal, scaled, or zero
+  double extent_ = 0;                   ///< the largest coordinate of the projected vertices
+  int u_ = 0, v_ = 1;                   ///< the axes on which the polygon is projected
+  RingRun first_run_{};                 ///< the rings, closed, one after the other, as seen from the base
+  std::vector<RingRun> other_runs_;     ///< what is beyond 64 vertices
+  std::vector<double> flat_;            ///< what the runs point to
   Covering covering_;
 };
 

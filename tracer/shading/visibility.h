@@ -39,7 +39,8 @@ struct RayQuestion {
 /// Whether a segment meets any face, and what it cost to know.
 struct SegmentQuestion {
   Segment way;
-  std::array<std::uint32_t, 2> apart{no_face, no_face};  ///< faces that do not matter
+  /// Faces that are known not to be met; of `met` also faces that do not matter. `blocked` looks at the first alone.
+  std::array<std::uint32_t, 2> apart{no_face, no_face};
   bool met = false;
   Cost cost{};
 };
@@ -47,7 +48,7 @@ struct SegmentQuestion {
 /// One method looking at a world. One object a thread; counts into the caller's tally. Prepares every polygon.
 ///
 /// Which faces are asked depends on the world's acceleration; the answers do not. In mode `bvh` sf-filtered is asked
-/// only of triangles of which its filter, on vector lanes, is not certain; the certain ones count as tests that the
+/// only of faces of which its filter, on vector lanes, is not certain; the certain ones count as tests that the
 /// filter decided.
 class Visibility {
  public:

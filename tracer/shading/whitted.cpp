@@ -22,6 +22,8 @@ Point3 hit_point(const Ray& r, const Triangle& t, const Box& b) {
   return inside;
 }
 
+constexpr std::size_t most_paths = 1 << 16;  ///< a ray sends on two at most
+
 Point3 mirrored(const Point3& v, const Point3& normal) { return 2 * glm::dot(v, normal) * normal - v; }
 
 /// One step of splitmix64, a bijection of the sum.
@@ -42,6 +44,14 @@ std::optional<Point3> refract(const Point3& view, const Point3& normal, double e
 }
 
 void WhittedTracer::trace(std::span<const Ray> primaries, int depth, std::span<TracedPixel> pixels) {
+  const std::size_t together = std::max<std::size_t>(1, most_paths >> std::min(depth, 63));
+  for (std::size_t from = 0; from < primaries.size(); from += together) {
+    const std::size_t count = std::min(together, primaries.size() - from);
+    trace_together(primaries.subspan(from, count), depth, pixels.subspan(from, count));
+  }
+}
+
+void WhittedTracer::trace_together(std::span<const Ray> primaries, int depth, std::span<TracedPixel> pixels) {
   pixels_ = pixels;
   paths_.clear();
   shadows_.clear();

@@ -41,7 +41,8 @@ class WhittedTracer {
         log_(log) {}
   WhittedTracer(const WhittedTracer&) = delete;
 
-  /// Of each primary ray, with this many generations of rays.
+  /// Of each primary ray, with this many generations of rays. Keeps all rays of as many primaries as may send on up to
+  /// 2^16 of them (16 MB), or of one.
   void trace(std::span<const Ray> primaries, int depth, std::span<TracedPixel> pixels);
 
   /// The same of one.
@@ -64,8 +65,8 @@ class WhittedTracer {
     std::optional<std::uint32_t> face;
     Landing at;
     Point3 view;
-    const Material* material;
-    bool from_outside, departs = false;
+    const Material* material = nullptr;
+    bool from_outside = false, departs = false;
     Start near;  ///< on the viewer's side, if a ray departs
     Colour colour;
     std::uint32_t reflected = nothing, refracted = nothing;  ///< paths that it sent on
@@ -80,6 +81,7 @@ class WhittedTracer {
 
   enum class Shadow : std::uint8_t { unasked, lit, blocked };
 
+  void trace_together(std::span<const Ray> primaries, int depth, std::span<TracedPixel> pixels);
   std::uint32_t add_path(const Ray& ray, RayKind kind, std::uint32_t pixel, Behind behind);
   void find_faces(std::size_t begin);
   void look_at(Path& p);

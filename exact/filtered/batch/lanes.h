@@ -35,6 +35,11 @@ struct LaneMask {
   }
 };
 
+/// The mask of a bit a lane.
+inline LaneMask lanes_of_bits(std::uint64_t bits) {
+  return {hn::LoadMaskBits(tag, reinterpret_cast<const std::uint8_t*>(&bits))};
+}
+
 /// A product that is rounded on its own, or with the sum it becomes part of where the target fuses the two.
 struct LaneProduct {
   Vector a, b;

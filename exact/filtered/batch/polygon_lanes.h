@@ -3,7 +3,8 @@
 #pragma once
 
 #include "exact/filtered/batch/lanes.h"
-#include "exact/filtered/filtered_polygon.h"
+#include "exact/filtered/plane_crossing.h"
+#include "exact/filtered/polygon_figures.h"
 
 namespace tribunal::HWY_NAMESPACE {
 

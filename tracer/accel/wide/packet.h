@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <span>
 
-#include "exact/filtered/filtered_polygon.h"
+#include "exact/filtered/polygon_figures.h"
 #include "tracer/accel/wide/tree.h"
 
 namespace tribunal {
@@ -37,7 +37,7 @@ struct PacketAnswer {
   unsigned hit = 0;                            ///< of these: whose probe hits a face
   alignas(64) double id[packet_size] = {};     ///< the first face hit, of rays
   alignas(64) double t[packet_size] = {};      ///< where, rounded
-  alignas(64) double tests[packet_size] = {};  ///< faces that were in the leaves that the lane came to
+  alignas(64) double tests[packet_size] = {};  ///< certain answers about a face
 
   // Of all lanes together: certain answers about a face, those that said hit, and box tests.
   std::uint64_t triangle_tests = 0, triangle_hits = 0, polygon_tests = 0, polygon_hits = 0, boxes = 0;

@@ -34,11 +34,11 @@ class PacketBoxes {
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t c = 0; c < chunks; ++c) {
         const std::size_t k = c * width;
-        const std::uint8_t backward = static_cast<std::uint8_t>(p.axes[i].backward >> k);
+        const std::uint64_t backward = p.axes[i].backward >> k;
         r_[i][c] = hn::LoadU(box_tag, p.axes[i].r + k);
         near_c_[i][c] = hn::LoadU(box_tag, p.axes[i].near_c + k);
         far_c_[i][c] = hn::LoadU(box_tag, p.axes[i].far_c + k);
-        backward_[i][c] = hn::LoadMaskBits(box_tag, &backward);
+        backward_[i][c] = hn::LoadMaskBits(box_tag, reinterpret_cast<const std::uint8_t*>(&backward));
       }
     }
   }

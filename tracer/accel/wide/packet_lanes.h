@@ -30,14 +30,14 @@ struct PacketState {
 /// A node or leaf that waits for some lanes, which enter it at `entry`.
 struct WaitingNode {
   alignas(32) float entry[packet_size];
-  NodeRef at;
+  std::uint32_t at;  ///< the bits of a NodeRef, so that room for many is made without a thought
   unsigned lanes;
 };
 
 /// Nodes that wait, the one to visit next on top.
 class PacketStack {
  public:
-  PacketStack() {}
+  PacketStack() {}  // the room is not cleared
 
   bool empty() const { return size_ == 0; }
   const WaitingNode& pop() { return nodes_[--size_]; }
@@ -47,9 +47,7 @@ class PacketStack {
   static constexpr std::size_t depth = 48 + 28;  ///< at most, of a tree (build.cpp)
 
   std::size_t size_ = 0;
-  union {
-    WaitingNode nodes_[depth * (node_width - 1) + node_width];
-  };
+  WaitingNode nodes_[depth * (node_width - 1) + node_width];
 };
 
 /// Pushes the children that some asking lanes enter: the one that a lane enters first on top. Whether a child is
@@ -62,7 +60,7 @@ HWY_INLINE void push_children(const WideNode& node, const PacketBoxes& boxes, un
   std::size_t met = 0, k = 0;
   for (; k < node_width && !node.is_empty(k); ++k) {
     WaitingNode& child = children[met];
-    child.at = node.child[k];
+    child.at = node.child[k].bits();
     child.lanes = lanes & boxes.entered(node, k, state.limit, child.entry);
     const float at = child.entry[std::countr_zero(child.lanes | 1U << (packet_size - 1))];
     keys[met] = std::uint64_t{std::bit_cast<std::uint32_t>(at)} << 32 | met;
@@ -87,10 +85,10 @@ HWY_INLINE void walk_together(const WideTree& tree, const ProbeColumns& probe, P
   if (tree.empty()) return;
   const PacketBoxes boxes(probe);
   PacketStack stack;
-  stack.push({{}, tree.root(), state.asking});
+  stack.push({{}, tree.root().bits(), state.asking});
   while (!stack.empty() && state.asking != 0) {
     const WaitingNode& next = stack.pop();
-    const NodeRef at = next.at;
+    const NodeRef at(next.at);
     const unsigned lanes = next.lanes & state.asking & PacketBoxes::within(next.entry, state.limit);
     if (lanes == 0) continue;
     if (at.is_leaf()) {
@@ -111,7 +109,6 @@ class PacketSieve {
   /// certain.
   template <class Hit>
   HWY_INLINE void sift(NodeRef leaf, unsigned lanes, const Hit& hit) {
-    count(lanes, leaf.count());
     const double* const column = faces_.tree.columns(leaf);
     const std::size_t n = leaf.count();
     for (std::size_t k = 0; k < n; ++k) {
@@ -137,12 +134,10 @@ class PacketSieve {
     return ((x >= id) & (x <= id)).bits();
   }
 
-  HWY_INLINE void count(unsigned lanes, std::size_t faces) {
-    for (std::size_t c = 0; c < packet_size; c += double_lanes) {
-      const std::uint8_t bits = static_cast<std::uint8_t>(lanes >> c);
-      const Vector more = hn::IfThenElseZero(hn::LoadMaskBits(tag, &bits), hn::Set(tag, static_cast<double>(faces)));
-      hn::StoreU(hn::Add(hn::LoadU(tag, state_.answer.tests + c), more), tag, state_.answer.tests + c);
-    }
+  HWY_INLINE void count(unsigned told, std::size_t c) {
+    double* const tests = state_.answer.tests + c;
+    hn::StoreU(hn::Add(hn::LoadU(tag, tests), hn::IfThenElseZero(lanes_of_bits(told).mask, hn::Set(tag, 1.0))), tag,
+               tests);
   }
 
   template <class Hit>
@@ -157,6 +152,7 @@ class PacketSieve {
     const unsigned told = asked & (verdict.missed | verdict.hit);
     PacketAnswer& answer = state_.answer;
     (is_triangle ? answer.triangle_tests : answer.polygon_tests) += static_cast<unsigned>(std::popcount(told));
+    count(told, c);
     if (told != asked) state_.drop((asked & ~told) << c);
     if (verdict.hit == 0) return;
     (is_triangle ? answer.triangle_hits : answer.polygon_hits) += static_cast<unsigned>(std::popcount(verdict.hit));
@@ -246,7 +242,7 @@ class ClosestLanes {
  private:
   using Halves = hn::Rebind<float, Tag>;
 
-  /// Quotients are not negative, are off by five roundings at most, and may have overflowed; their operands are at
+  /// Quotients are off by five roundings at most, and may have overflowed; their operands are at
   /// least the bounds' `tiny`, so that no operand underflowed.
   static HWY_INLINE Lanes lowered(const Lanes& x) {
     return smaller(x, Lanes(std::numeric_limits<double>::max())) * Lanes(1 - 0x1p-48) + Lanes(-0x1p-1000);
@@ -254,8 +250,7 @@ class ClosestLanes {
   static HWY_INLINE Lanes raised(const Lanes& x) { return x * Lanes(1 + 0x1p-48) + Lanes(0x1p-1000); }
 
   static HWY_INLINE void store(unsigned lanes, const Lanes& x, double* to) {
-    const std::uint8_t bits = static_cast<std::uint8_t>(lanes);
-    hn::StoreU(hn::IfThenElse(hn::LoadMaskBits(tag, &bits), x.v, hn::LoadU(tag, to)), tag, to);
+    hn::StoreU(hn::IfThenElse(lanes_of_bits(lanes).mask, x.v, hn::LoadU(tag, to)), tag, to);
   }
 
   /// WideProbe::limit_at.
@@ -288,8 +283,9 @@ class ClosestLanes {
   ProbeColumns probe;
   make_ready<Segment>(packet, faces.tree.frame(), probe);
   PacketState state(packet, probe, answer);
-  for (std::size_t k = 0; k < packet_size; ++k)
+  for (std::size_t k = 0; k < packet_size; ++k) {  // WideProbe::limit_at(1)
     state.limit[k] = static_cast<float>(std::min(probe.scale[k] * (1 + 0x1p-20) + 0x1p-100, 0x1p100));
+  }
   PacketSieve<Segment> sieve(faces, state);
   walk_together<false>(faces.tree, probe, state, [&](NodeRef leaf, unsigned lanes) {
     sieve.sift(leaf, lanes, [&](const Lanes&, std::size_t c, const LaneVerdict& v) {
