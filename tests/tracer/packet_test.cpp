@@ -2,6 +2,7 @@
 #include <functional>
 
 #include "exact/filtered/batch.h"
+#include "exact/filtered/filtered.h"
 #include "exact/polygon/family.h"
 #include "tests/tracer/nasty_scenes.h"
 #include "tracer/scene/read_scene.h"
@@ -147,6 +148,94 @@ TEST_P(Packets, DoNotOrderWhatIsTooClose) {
   std::vector<RayQuestion> questions(packet_size, RayQuestion{rays[0]});
   Visibility(world, method("sf-filtered"), tally).first_hits(questions);
   for (const RayQuestion& q : questions) EXPECT_EQ(q.face, 1u);
+}
+
+/// A ring of so many vertices about the z axis in a tilted plane, radii between 3 and 4, with a hole.
+PolygonData gear(Random& random, std::size_t teeth) {
+  std::vector<Point3> outside, hole;
+  const Point3 u(1, 0.25, 0.5), v(-0.25, 1, -0.125);
+  for (std::size_t i = 0; i < teeth; ++i) {
+    const double angle = 6.283185307179586 * static_cast<double>(i) / static_cast<double>(teeth);
+    const double out = 3 + random.unit(), in = 1 + random.unit();
+    const auto at = [&](double r) {
+      return std::round(4096 * r * std::cos(angle)) * u + std::round(4096 * r * std::sin(angle)) * v;
+    };
+    outside.push_back(at(out));
+    hole.push_back(at(in));
+  }
+  return PolygonData{}.add(outside).add(hole);
+}
+
+/// Polygons of more than one run of 64 vertices, and with holes, in general position: the lanes must tell, and rightly.
+TEST_P(Packets, JudgePolygonsOfManyVertices) {
+  const Method& exact = method("sf-rational");
+  Random random(47);
+  std::size_t known = 0, hit = 0, asked = 0;
+  for (const std::size_t teeth : {20, 40, 63, 64, 65, 100, 200}) {
+    const PolygonData polygon = gear(random, teeth);
+    const WideTree tree(1, [&](std::uint32_t) { return Primitive{box_of(Polygon(polygon)), {}}; });
+    const FilteredPolygon filtered(polygon);
+    const std::vector<PolygonFigures> figures{filtered.figures()};
+    const std::vector<std::int32_t> polygon_of{0};
+    for (int k = 0; k < 60; ++k) {
+      ProbePacket packet;
+      std::vector<Ray> rays;
+      for (std::size_t lane = 0; lane < packet_size; ++lane) {
+        const Point3 o = 16384.0 * random.point(1) + Point3(0, 0, 40000);
+        rays.push_back({o, {20480.0 * random.point(1) - o}});
+        packet.set(lane, rays[lane].o, rays[lane].d.v);
+      }
+      PacketAnswer a;
+      packet_target().first_hits({tree, polygon_of, figures}, packet, a);
+      asked += packet_size;
+      known += static_cast<std::size_t>(std::popcount(a.known));
+      for (std::size_t lane = 0; lane < packet_size; ++lane) {
+        if ((a.known >> lane & 1) == 0) continue;
+        const bool expected = exact.ask(PolygonQuery{rays[lane], polygon}).answer.hit;
+        hit += expected;
+        ASSERT_EQ((a.hit >> lane & 1) != 0, expected) << teeth << " teeth";
+      }
+    }
+  }
+  EXPECT_GT(known, asked - asked / 100);
+  EXPECT_GT(hit, asked / 20);
+}
+
+/// Two planes that cross just where the ray meets them, or a few roundings beside: what the lanes say of their order is
+/// true. From afar the second filter's bounds are needed.
+TEST_P(Packets, OrderOnlyWhatTheirBoundsTellApart) {
+  Random random(53);
+  std::size_t known = 0, asked = 0;
+  for (int round = 0; round < 4000; ++round) {
+    const double away = std::ldexp(1.0, random.within(0, 30)), gap = std::ldexp(random.unit(), random.within(-56, -12));
+    const Point3 x = random.point(1), a = random.point(1), b = random.point(1), tilt = gap * random.point(1);
+    const Triangle s{x - 3.0 * a - b, x + 3.0 * a - b, x + 3.0 * b};
+    const Triangle t{s.a + tilt, s.b + gap * random.point(1), s.c - tilt};
+    const Triangle both[] = {s, t};
+    const WideTree tree(2, [&](std::uint32_t i) { return Primitive{box_of(both[i]), both[i]}; });
+    ProbePacket packet;
+    std::vector<Ray> rays;
+    const Point3 eye = away * random.point(1);
+    for (std::size_t lane = 0; lane < packet_size; ++lane) {
+      rays.push_back({eye, {x + 0.1 * random.unit() * a - eye}});
+      packet.set(lane, rays[lane].o, rays[lane].d.v);
+    }
+    PacketAnswer answer;
+    packet_target().first_hits({tree, {}, {}}, packet, answer);
+    asked += packet_size;
+    for (std::size_t lane = 0; lane < packet_size; ++lane) {
+      if ((answer.known & answer.hit) >> lane & 1) {
+        ++known;
+        const bool hits[] = {intersect(rays[lane], s).hit, intersect(rays[lane], t).hit};
+        const auto id = static_cast<std::size_t>(answer.id[lane]);
+        ASSERT_TRUE(hits[id]) << "round " << round;
+        if (!hits[1 - id]) continue;
+        ASSERT_EQ(compare_hits(rays[lane], both[id], both[1 - id]), Sign::negative) << "round " << round;
+      }
+    }
+  }
+  EXPECT_GT(known, asked / 20);
+  EXPECT_LT(known, asked - asked / 20) << "some are too close";
 }
 
 /// One polygon and eight probes at it, of the families that exist to be difficult.

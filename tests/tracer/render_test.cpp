@@ -1,6 +1,8 @@
 // Whitted's rays where the answer is known, and pictures that must not depend on how they were made.
 #include "tracer/render.h"
 
+#include <sys/resource.h>
+
 #include <cmath>
 #include <future>
 #include <glm/geometric.hpp>
@@ -120,15 +122,45 @@ Rendering rendered(const Scene& scene, const char* name, Accel accel, unsigned t
 
 TEST(Render, SameBytesForAnyNumberOfThreads) {
   const Scene scene = small_scene();
-  const Rendering one = rendered(scene, "sf-double", Accel::bvh, 1);
-  for (const unsigned threads : {2u, 7u}) {
-    const Rendering many = rendered(scene, "sf-double", Accel::bvh, threads);
-    EXPECT_EQ(to_png(one.image), to_png(many.image));
-    EXPECT_EQ(one.decisions, many.decisions);
-    EXPECT_EQ(one.tally.box_tests, many.tally.box_tests);
-    EXPECT_EQ(one.tally.triangle_tests, many.tally.triangle_tests);
-    EXPECT_EQ(one.tally.rays, many.tally.rays);
+  for (const char* name : {"sf-double", "sf-filtered"}) {
+    const Rendering one = rendered(scene, name, Accel::bvh, 1);
+    std::uint64_t tests = 0;
+    for (const Cost& c : one.costs) tests += c.tests;
+    EXPECT_EQ(tests, one.tally.tests() + one.tally.start_tests) << "each test is some pixel's";
+    for (const unsigned threads : {2u, 7u}) {
+      const Rendering many = rendered(scene, name, Accel::bvh, threads);
+      EXPECT_EQ(to_png(one.image), to_png(many.image));
+      EXPECT_EQ(one.decisions, many.decisions);
+      EXPECT_TRUE(
+          std::equal(one.costs.begin(), one.costs.end(), many.costs.begin(), many.costs.end(),
+                     [](const Cost& a, const Cost& b) { return a.tests == b.tests && a.deepest == b.deepest; }));
+      EXPECT_EQ(one.tally.box_tests, many.tally.box_tests);
+      EXPECT_EQ(one.tally.triangle_tests, many.tally.triangle_tests);
+      EXPECT_EQ(one.tally.rays, many.tally.rays);
+    }
   }
+}
+
+/// Glass within glass sends on two rays at each hit; memory must not follow their number.
+TEST(Render, DepthCostsNoMemory) {
+  Scene scene = small_scene();
+  scene.camera.width = scene.camera.height = 16;
+  for (double half = 1; half <= 6; ++half) {
+    for (const double z : {-half, half}) {
+      Solid s = square(z, 8, {0, 0, 0});
+      s.material.reflection = s.material.transparency = 0.5;
+      s.material.refractive_index = 1;
+      scene.solids.push_back(s);
+    }
+  }
+  scene.depth = 12;
+  struct rusage before {
+  }, after{};
+  ::getrusage(RUSAGE_SELF, &before);
+  const Rendering r = render(make_world(scene, Format::binary64, Accel::bvh), method("sf-filtered"), {12, 1});
+  ::getrusage(RUSAGE_SELF, &after);
+  EXPECT_GT(r.tally.all_rays(), 100'000u);
+  EXPECT_LT(after.ru_maxrss - before.ru_maxrss, 64 * 1024) << "KB";
 }
 
 /// Planted: equal t decided by the thread that asks. Two coincident squares of different colours; the sound method
@@ -157,7 +189,7 @@ TEST(Render, SameBytesForEveryAccelerationAndEveryExactMethod) {
   const Scene scene = small_scene();
   const Rendering expected = rendered(scene, "sf-rational", Accel::bvh, 2);
   for (const Accel accel : {Accel::none, Accel::boxes, Accel::bvh}) {
-    for (const char* name : {"sf-epick", "sf-epeck"}) {
+    for (const char* name : {"sf-epick", "sf-epeck", "sf-filtered"}) {
       const Rendering other = rendered(scene, name, accel, 2);
       EXPECT_EQ(expected.decisions, other.decisions) << name << " " << name_of(accel);
       EXPECT_TRUE(expected.image == other.image);

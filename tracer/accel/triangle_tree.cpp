@@ -47,7 +47,7 @@ class Search {
   ClosestFinder<Certified> finder_;
 };
 
-constexpr std::size_t batch_size = 256;  ///< so that all searches stay in the first cache
+constexpr std::size_t batch_size = 1024;  ///< so that few walks end alone; what they need takes 300 KB of the stack
 
 void search_batch(const WideTree& tree, std::span<const Ray> rays, std::span<std::optional<Nearest>> hits) {
   std::optional<Search> searches[batch_size];
@@ -116,7 +116,7 @@ void search_stream(const WideTree& tree, std::span<const Ray> rays, std::span<st
 // than 0.65 of their lanes are at work, by a half at 0.9, and lose as much at 0.45; but they wait for memory where a
 // stream does not, so that for a mesh beyond the caches it takes 0.8.
 constexpr double alike = 0.8;
-constexpr std::size_t first_stream = 256 - packet_size;
+constexpr std::size_t first_stream = batch_size - packet_size;
 
 }  // namespace
 
