@@ -24,7 +24,7 @@ constexpr std::string_view name_of(RayKind k) {
 /// What a question or a pixel cost.
 struct Cost {
   std::uint64_t tests = 0;      ///< of faces, those for proved starts included
-  Stage deepest = Stage::none;  ///< of the stages that answered
+  Stage deepest = Stage::none;  ///< of the stages that answered, but for proved starts
 
   Cost& operator+=(const Cost& c) {
     tests += c.tests;

@@ -134,7 +134,7 @@ void Visibility::any_met(std::span<SegmentQuestion> questions, const Alone& alon
     if (starts) tally_.start_tests += a.triangle_tests + a.polygon_tests;
     if (!starts) count_packet(a);
     for (std::size_t lane = 0; lane < some.size(); ++lane) {
-      some[lane].cost += cost_of(a, lane);
+      some[lane].cost += {cost_of(a, lane).tests, starts ? Stage::none : cost_of(a, lane).deepest};
       some[lane].met = ((a.known & a.hit) >> lane & 1) != 0;
     }
     return a.known;
