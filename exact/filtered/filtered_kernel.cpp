@@ -110,14 +110,8 @@ Sign FilteredKernel::compare_hits(const Ray& r, const Triangle& s, const Triangl
   return told(sign, stage);
 }
 
-Sign orient3d_exactly(const Triangle& t, const Point3& x) {
-  const auto [sign, stage] = exact_orient3d(t.a, t.b, t.c, x);
-  return sign;
-}
+Sign orient3d_exactly(const Triangle& t, const Point3& x) { return exact_orient3d(t.a, t.b, t.c, x).result; }
 
-Sign orient3d_exactly(const Triangle& t, const Direction& x) {
-  const auto [sign, stage] = exact_orient3d(t.a, t.b, t.c, x);
-  return sign;
-}
+Sign orient3d_exactly(const Triangle& t, const Direction& x) { return exact_orient3d(t.a, t.b, t.c, x).result; }
 
 }  // namespace tribunal

@@ -5,6 +5,7 @@
 #include "exact/filtered/filtered.h"
 #include "exact/polygon/family.h"
 #include "tests/tracer/nasty_scenes.h"
+#include "tests/tracer/tree_support.h"
 #include "tracer/scene/read_scene.h"
 #include "tracer/shading/visibility.h"
 
@@ -17,15 +18,9 @@ using testing::nasty_scene;
 using testing::Random;
 using testing::Worlds;
 
-class Packets : public ::testing::TestWithParam<std::string_view> {
- protected:
-  void SetUp() override { force_batch_target(GetParam()); }
-  void TearDown() override { force_batch_target({}); }
-};
+class Packets : public testing::OnEveryTarget {};
 
-INSTANTIATE_TEST_SUITE_P(Targets, Packets, ::testing::ValuesIn(batch_targets()), [](const auto& target) {
-  return std::string(target.param == "AVX-512" ? "AVX512" : target.param);
-});
+INSTANTIATE_TEST_SUITE_P(Targets, Packets, ::testing::ValuesIn(batch_targets()), testing::target_name);
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 

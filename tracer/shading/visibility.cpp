@@ -31,10 +31,12 @@ Cost cost_of(const PacketAnswer& a, std::size_t lane) {
 Visibility::Visibility(const World& world, const Method& method, RayTally& tally)
     : world_(world), method_(method), sifts_(method.name == sifted_method), tally_(tally) {
   for (const PolygonData& polygon : world.polygons) {
-    prepared_.push_back(method.polygon(polygon));
-    if (!sifts_) continue;
-    filtered_.emplace_back(polygon);
-    figures_.push_back(filtered_.back().figures());
+    if (sifts_) {
+      filtered_.emplace_back(polygon);
+      figures_.push_back(filtered_.back().figures());
+    } else {
+      prepared_.push_back(method.polygon(polygon));
+    }
   }
 }
 
@@ -42,7 +44,9 @@ template <class P>
 Answer Visibility::ask(const P& probe, std::uint32_t id) const {
   constexpr bool is_ray = std::is_same_v<P, Ray>;
   if (world_.polygon_of[id] >= 0) {
-    const PreparedPolygon& polygon = prepared_[static_cast<std::size_t>(world_.polygon_of[id])];
+    const auto number = static_cast<std::size_t>(world_.polygon_of[id]);
+    if (sifts_) return filtered_[number].meet(probe).answer;
+    const PreparedPolygon& polygon = prepared_[number];
     if constexpr (is_ray) return polygon.ray(probe).answer;
     if constexpr (!is_ray) return polygon.segment(probe).answer;
   }
@@ -134,7 +138,8 @@ void Visibility::any_met(std::span<SegmentQuestion> questions, const Alone& alon
     if (starts) tally_.start_tests += a.triangle_tests + a.polygon_tests;
     if (!starts) count_packet(a);
     for (std::size_t lane = 0; lane < some.size(); ++lane) {
-      some[lane].cost += {cost_of(a, lane).tests, starts ? Stage::none : cost_of(a, lane).deepest};
+      const Cost cost = cost_of(a, lane);
+      some[lane].cost += starts ? Cost{cost.tests, Stage::none} : cost;
       some[lane].met = ((a.known & a.hit) >> lane & 1) != 0;
     }
     return a.known;

@@ -116,7 +116,7 @@ class Visibility {
   const bool sifts_;  ///< the method's filter runs on the tree's lanes
   RayTally& tally_;
   std::vector<PreparedPolygon> prepared_;
-  std::vector<FilteredPolygon> filtered_;  ///< if it does, of the polygons too
+  std::vector<FilteredPolygon> filtered_;  ///< instead, if it sifts
   std::vector<PolygonFigures> figures_;
   BoxedFaces::Waiting waiting_;
 };

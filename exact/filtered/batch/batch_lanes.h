@@ -21,8 +21,7 @@ Arms<Lanes> arms_of_lanes(const Vec3<Lanes>& source, const Vec3<Lanes>& target, 
 template <class P, bool one_against_many>
 [[gnu::flatten]] std::size_t filter_pairs(const double* const* columns, std::size_t n, std::uint8_t* hit,
                                           std::uint32_t* undecided) {
-  const FilterConstants<Lanes> c{Lanes(shared_volumes_filter.k), Lanes(shared_volumes_filter.tiny),
-                                 Lanes(shared_volumes_filter.huge)};
+  const FilterConstants<Lanes> c = in_lanes(shared_volumes_filter);
   constexpr std::size_t step = HWY_LANES(double);
   constexpr unsigned all = (1U << step) - 1;
   Vec3<Lanes> source = broadcast(columns), target = broadcast(columns + 3);

@@ -24,4 +24,11 @@ extern const BatchTarget batch_avx512, batch_avx2, batch_portable;
 /// The one in use.
 const BatchTarget& batch_target();
 
+/// Of what is compiled for each of the three, that for the one in use.
+template <class T>
+const T& for_target_in_use(const T& avx512, const T& avx2, const T& portable) {
+  const BatchTarget* const batch = &batch_target();
+  return batch == &batch_avx512 ? avx512 : batch == &batch_avx2 ? avx2 : portable;
+}
+
 }  // namespace tribunal

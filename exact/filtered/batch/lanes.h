@@ -20,6 +20,19 @@ using Vector = hn::Vec<Tag>;
 
 inline constexpr Tag tag;
 
+/// The bits of a mask, bit i for lane i, and the mask of up to eight bits.
+template <class D>
+HWY_INLINE unsigned bits_of(D d, hn::Mask<D> mask) {
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(d, mask, bytes);
+  return bytes[0];
+}
+
+template <class D>
+HWY_INLINE hn::Mask<D> mask_of(D d, std::uint64_t bits) {
+  return hn::LoadMaskBits(d, reinterpret_cast<const std::uint8_t*>(&bits));
+}
+
 /// One truth value a lane.
 struct LaneMask {
   hn::Mask<Tag> mask;
@@ -28,17 +41,8 @@ struct LaneMask {
   friend LaneMask operator|(const LaneMask& a, const LaneMask& b) { return {hn::Or(a.mask, b.mask)}; }
 
   /// Bit i for lane i.
-  unsigned bits() const {
-    std::uint8_t bytes[8] = {};
-    hn::StoreMaskBits(tag, mask, bytes);
-    return bytes[0];
-  }
+  unsigned bits() const { return bits_of(tag, mask); }
 };
-
-/// The mask of a bit a lane.
-inline LaneMask lanes_of_bits(std::uint64_t bits) {
-  return {hn::LoadMaskBits(tag, reinterpret_cast<const std::uint8_t*>(&bits))};
-}
 
 /// A product that is rounded on its own, or with the sum it becomes part of where the target fuses the two.
 struct LaneProduct {
@@ -88,6 +92,11 @@ inline Lanes operator+(const LaneProduct& p, const Lanes& a) { return hn::MulAdd
 inline Lanes operator+(const Lanes& a, const LaneProduct& p) { return p + a; }
 inline Lanes operator+(const LaneProduct& p, const LaneProduct& q) { return p + Lanes(q); }
 inline Lanes operator-(const LaneProduct& p, const LaneProduct& q) { return hn::MulSub(p.a, p.b, Lanes(q).v); }
+
+/// A filter's constants in every lane.
+inline FilterConstants<Lanes> in_lanes(const FilterConstants<double>& c) {
+  return {Lanes(c.k), Lanes(c.tiny), Lanes(c.huge)};
+}
 
 inline Vec3<Lanes> load(const double* const* columns, std::size_t i) {
   return {Lanes::load(columns[0] + i), Lanes::load(columns[1] + i), Lanes::load(columns[2] + i)};

@@ -30,8 +30,7 @@ template <class P>
 HWY_INLINE std::pair<unsigned, unsigned> missed_and_hit_by_terms(const LaneProbe& probe,
                                                                  const LiftedTriangle<Lanes>& t) {
   constexpr bool is_ray = std::is_same_v<P, Ray>;
-  const FilterConstants<Lanes> c{Lanes(volume_terms_filter.k), Lanes(volume_terms_filter.tiny),
-                                 Lanes(volume_terms_filter.huge)};
+  const FilterConstants<Lanes> c = in_lanes(volume_terms_filter);
   const Vec3<Lanes>&p = probe.source, &q = probe.target, u = t.b - t.a, v = t.c - t.a, d = is_ray ? q : q - p;
   const CertainSigns from = certain_signs(u, v, p - t.a, c), to = certain_signs(u, v, is_ray ? q : q - t.a, c);
   const CertainSigns ab = certain_signs(t.a - p, u, d, c), bc = certain_signs(t.b - p, t.c - t.b, d, c),

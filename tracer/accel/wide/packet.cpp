@@ -4,9 +4,6 @@
 
 namespace tribunal {
 
-const PacketTarget& packet_target() {
-  const BatchTarget* batch = &batch_target();
-  return batch == &batch_avx512 ? packet_avx512 : batch == &batch_avx2 ? packet_avx2 : packet_portable;
-}
+const PacketTarget& packet_target() { return for_target_in_use(packet_avx512, packet_avx2, packet_portable); }
 
 }  // namespace tribunal

@@ -1,15 +1,12 @@
 // A packet's probes against boxes. Included by files that are compiled for one instruction set each.
 #pragma once
 
+#include "tracer/accel/wide/box_lanes.h"
 #include "tracer/accel/wide/packet.h"
 #include "tracer/accel/wide/probe_lanes.h"
 
 namespace tribunal::HWY_NAMESPACE {
 
-using BoxTag = hn::CappedTag<float, node_width>;
-using BoxVector = hn::Vec<BoxTag>;
-
-inline constexpr BoxTag box_tag;
 inline constexpr std::size_t double_lanes = HWY_LANES(double);
 static_assert(packet_size == ProbeColumns::size && packet_size % double_lanes == 0);
 
@@ -34,11 +31,10 @@ class PacketBoxes {
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t c = 0; c < chunks; ++c) {
         const std::size_t k = c * width;
-        const std::uint64_t backward = p.axes[i].backward >> k;
         r_[i][c] = hn::LoadU(box_tag, p.axes[i].r + k);
         near_c_[i][c] = hn::LoadU(box_tag, p.axes[i].near_c + k);
         far_c_[i][c] = hn::LoadU(box_tag, p.axes[i].far_c + k);
-        backward_[i][c] = hn::LoadMaskBits(box_tag, reinterpret_cast<const std::uint8_t*>(&backward));
+        backward_[i][c] = mask_of(box_tag, p.axes[i].backward >> k);
       }
     }
   }
@@ -55,7 +51,7 @@ class PacketBoxes {
         last = hn::Min(last, hn::MulSub(out, r_[i][c], far_c_[i][c]));
       }
       hn::StoreU(first, box_tag, entry + c * width);
-      met |= bits_of(hn::Le(first, last)) << (c * width);
+      met |= bits_of(box_tag, hn::Le(first, last)) << (c * width);
     }
     return met;
   }
@@ -64,19 +60,13 @@ class PacketBoxes {
   static HWY_INLINE unsigned within(const float* entry, const float* limit) {
     unsigned in = 0;
     for (std::size_t k = 0; k < packet_size; k += width)
-      in |= bits_of(hn::Le(hn::LoadU(box_tag, entry + k), hn::LoadU(box_tag, limit + k))) << k;
+      in |= bits_of(box_tag, hn::Le(hn::LoadU(box_tag, entry + k), hn::LoadU(box_tag, limit + k))) << k;
     return in;
   }
 
  private:
   static constexpr std::size_t width = HWY_LANES(float) < node_width ? HWY_LANES(float) : node_width,
                                chunks = packet_size / width;
-
-  static HWY_INLINE unsigned bits_of(hn::Mask<BoxTag> mask) {
-    std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(box_tag, mask, bits);
-    return bits[0];
-  }
 
   BoxVector r_[3][chunks], near_c_[3][chunks], far_c_[3][chunks];
   hn::Mask<BoxTag> backward_[3][chunks];

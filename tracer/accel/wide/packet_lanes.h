@@ -136,8 +136,7 @@ class PacketSieve {
 
   HWY_INLINE void count(unsigned told, std::size_t c) {
     double* const tests = state_.answer.tests + c;
-    hn::StoreU(hn::Add(hn::LoadU(tag, tests), hn::IfThenElseZero(lanes_of_bits(told).mask, hn::Set(tag, 1.0))), tag,
-               tests);
+    hn::StoreU(hn::Add(hn::LoadU(tag, tests), hn::IfThenElseZero(mask_of(tag, told), hn::Set(tag, 1.0))), tag, tests);
   }
 
   template <class Hit>
@@ -207,8 +206,7 @@ class PacketSieve {
 
   const PacketFaces& faces_;
   PacketState& state_;
-  FilterConstants<Lanes> constants_{Lanes(shared_volumes_filter.k), Lanes(shared_volumes_filter.tiny),
-                                    Lanes(shared_volumes_filter.huge)};
+  FilterConstants<Lanes> constants_ = in_lanes(shared_volumes_filter);
 };
 
 /// The closest hit of each lane so far: bounds of its parameter, and the face.
@@ -250,7 +248,7 @@ class ClosestLanes {
   static HWY_INLINE Lanes raised(const Lanes& x) { return x * Lanes(1 + 0x1p-48) + Lanes(0x1p-1000); }
 
   static HWY_INLINE void store(unsigned lanes, const Lanes& x, double* to) {
-    hn::StoreU(hn::IfThenElse(lanes_of_bits(lanes).mask, x.v, hn::LoadU(tag, to)), tag, to);
+    hn::StoreU(hn::IfThenElse(mask_of(tag, lanes), x.v, hn::LoadU(tag, to)), tag, to);
   }
 
   /// WideProbe::limit_at.

@@ -3,8 +3,7 @@
 
 #include <bit>
 
-#include "exact/filtered/batch/lanes.h"
-#include "exact/filtered/shared_volumes.h"
+#include "exact/filtered/batch/batch_lanes.h"
 #include "tracer/accel/wide/traversal.h"
 
 namespace tribunal::HWY_NAMESPACE {
@@ -45,8 +44,9 @@ class LeafSieve {
     unsigned missed = 0;
     sifted.hit = sifted.safe = 0;
     for (std::size_t from = 0; from < count; from += step) {
-      const Arms<Lanes> arms =
-          arms_of(vertex(column + from, 0, count), vertex(column + from, 1, count), vertex(column + from, 2, count));
+      const LiftedTriangle<Lanes> t{vertex(column + from, 0, count), vertex(column + from, 1, count),
+                                    vertex(column + from, 2, count)};
+      const Arms<Lanes> arms = arms_of_lanes<P>(source_, target_, t);
       const Vec3<Lanes> m = largest(arms);
       const Lanes bound = volume_bound(m, constants_);
       const SharedVolumes<Lanes> volumes = shared_volumes<P>(arms);
@@ -74,17 +74,8 @@ class LeafSieve {
             Lanes::load(column + (3 * k + 2) * count)};
   }
 
-  HWY_INLINE Arms<Lanes> arms_of(const Vec3<Lanes>& a, const Vec3<Lanes>& b, const Vec3<Lanes>& c) const {
-    if constexpr (std::is_same_v<P, Segment>) {
-      return segment_arms<Lanes>(source_, target_, {a, b, c});
-    } else {
-      return ray_arms<Lanes>(source_, target_, {a, b, c});
-    }
-  }
-
   Vec3<Lanes> source_, target_;
-  FilterConstants<Lanes> constants_{Lanes(shared_volumes_filter.k), Lanes(shared_volumes_filter.tiny),
-                                    Lanes(shared_volumes_filter.huge)};
+  FilterConstants<Lanes> constants_ = in_lanes(shared_volumes_filter);
 };
 
 /// Tells of all primitives of a leaf, with nothing known of them.

@@ -4,9 +4,6 @@
 
 namespace tribunal {
 
-const TreeTarget& tree_target() {
-  const BatchTarget* batch = &batch_target();
-  return batch == &batch_avx512 ? tree_avx512 : batch == &batch_avx2 ? tree_avx2 : tree_portable;
-}
+const TreeTarget& tree_target() { return for_target_in_use(tree_avx512, tree_avx2, tree_portable); }
 
 }  // namespace tribunal

@@ -5,14 +5,11 @@
 
 #include <bit>
 
+#include "tracer/accel/wide/box_lanes.h"
 #include "tracer/accel/wide/sieve_lanes.h"
 
 namespace tribunal::HWY_NAMESPACE {
 
-using BoxTag = hn::CappedTag<float, node_width>;
-using BoxVector = hn::Vec<BoxTag>;
-
-inline constexpr BoxTag box_tag;
 inline constexpr std::size_t cache_line = 64;
 
 /// The constants of a probe in every lane.
@@ -34,9 +31,7 @@ struct BoxLanes {
       const BoxVector last =
           hn::Min(hn::Min(far(node, x, k), far(node, y, k)), hn::Min(far(node, z, k), hn::Set(box_tag, limit)));
       hn::StoreU(first, box_tag, entry + k);
-      std::uint8_t bits[8] = {};
-      hn::StoreMaskBits(box_tag, hn::Le(first, last), bits);
-      met |= static_cast<unsigned>(bits[0]) << k;
+      met |= bits_of(box_tag, hn::Le(first, last)) << k;
     }
     return met;
   }

@@ -12,12 +12,6 @@ using WaitingTag = hn::CappedTag<std::uint32_t, 16>;
 inline constexpr KeyTag key_tag;
 inline constexpr WaitingTag waiting_tag;
 
-/// The lanes from `from` of a mask that is given by its bits.
-HWY_INLINE hn::Mask<KeyTag> lanes_of(unsigned bits, std::size_t from) {
-  const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits >> from)};
-  return hn::LoadMaskBits(key_tag, bytes);
-}
-
 /// Entries as numbers with the lane's own in the last bits: entries having no sign, the least of them tells the
 /// lane, and, without those bits, a bound from below of the least entry.
 template <class D>
@@ -32,7 +26,7 @@ HWY_INLINE unsigned nearest_of(const float* entry, unsigned met) {
   auto least = none;
   for (std::size_t k = 0; k < node_width; k += hn::Lanes(key_tag)) {
     const auto key = keys(key_tag, entry + k, k, node_width - 1);
-    least = hn::Min(least, hn::IfThenElse(lanes_of(met, k), key, none));
+    least = hn::Min(least, hn::IfThenElse(mask_of(key_tag, met >> k), key, none));
   }
   return hn::GetLane(hn::MinOfLanes(key_tag, least)) & (node_width - 1);
 }
@@ -50,7 +44,7 @@ class WaitingBoxes {
     static_assert(sizeof(NodeRef) == sizeof(std::uint32_t));
     std::size_t end = size_;
     for (std::size_t k = 0; k < node_width; k += hn::Lanes(key_tag)) {
-      const auto lanes = lanes_of(met, k);
+      const auto lanes = mask_of(key_tag, met >> k);
       store(entry + k, lanes, entry_ + end);
       store(child + k, lanes, child_ + end);
       end += hn::CountTrue(key_tag, lanes);
