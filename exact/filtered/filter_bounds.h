@@ -1,7 +1,7 @@
 // The constants of the filters. Proofs: the Gappa scripts in exact/filtered/proofs; derivation: docs/error-bounds.md.
 #pragma once
 
-#include "core/vec3.h"
+#include "core/query.h"
 
 namespace tribunal {
 
@@ -22,8 +22,21 @@ inline constexpr double rounding = 0x1p-52;  ///< of one operation, relative to 
 /// One determinant of rounded differences. Proved: 46 units.
 inline constexpr FilterConstants<double> volume_filter{47 * rounding, 0x1p-700, 0x1p150};
 
-/// The five volumes of shared_volumes.h. Proved: 168 units, for the edge bc; 104 for the target's side, 46 for others.
-inline constexpr FilterConstants<double> shared_volumes_filter{170 * rounding, 0x1p-700, 0x1p150};
+/// What the test of a pair (shared_volumes.h) may conclude from its five volumes.
+///
+/// A segment's `direction` is not asked for. A ray's is, since a ray reaches plane and triangle at t = 1/|d| times their
+/// distance, and multiplies by it what underflow did to normal·d: below `direction` on all axes the filter abstains,
+/// above it `tiny` covers that too.
+template <class N>
+struct PairConstants : FilterConstants<N> {
+  N direction;
+};
+
+/// Proved: 168 units, for the edge bc; 104 for the target's side, 46 for others.
+template <class P>
+inline constexpr PairConstants<double> pair_filter{{170 * rounding, 0x1p-700, 0x1p150}, 0};
+template <>
+inline constexpr PairConstants<double> pair_filter<Ray>{{170 * rounding, 0x1p-400, 0x1p150}, 0x1p-150};
 
 /// A determinant of two axes: the bound is K·X·Y + tiny. Proved: 8 units.
 inline constexpr FilterConstants<double> area_filter{9 * rounding, 0x1p-850, 0x1p150};

@@ -30,7 +30,7 @@ template <class P>
 
 template <class P>
 [[gnu::flatten]] Answer staged_intersect(const P& probe, const Triangle& t) {
-  const std::optional<bool> hit = filter_hits(probe, t, shared_volumes_filter);
+  const std::optional<bool> hit = filter_hits(probe, t, pair_filter<P>);
   return hit ? certain(*hit) : intersect_past_filter(probe, t);
 }
 

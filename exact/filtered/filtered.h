@@ -23,14 +23,10 @@ namespace tribunal {
 /// Whether the probe certainly meets or certainly misses the triangle; nothing where rounding could matter. Without
 /// branches, so that its time does not depend on the answer.
 template <class N, class P>
-[[gnu::flatten]] std::optional<bool> filter_hits(const P& probe, const Triangle& t, const FilterConstants<N>& c) {
-  const Arms<N> arms = arms_of<N>(probe, t);
-  const Vec3<N> m = largest(arms);
-  const N bound = volume_bound(m, c);
-  const N margin = margin_of(shared_volumes<P>(arms));
-  const bool hit = certain_hit(margin, bound), miss = certain_miss(margin, bound);
-  if (hit == miss || !in_range(m, c)) return std::nullopt;
-  return hit;
+[[gnu::flatten]] std::optional<bool> filter_hits(const P& probe, const Triangle& t, const PairConstants<N>& c) {
+  const auto certain = conclude<P>(arms_of<N>(probe, t), c);
+  if (certain.hit == certain.miss) return std::nullopt;
+  return certain.hit;
 }
 
 /// The same answer without any filter: integers of a fixed width where the operands allow, else GMP. Some 100 ns.
@@ -43,13 +39,13 @@ bool hits_past_filter(const Ray& r, const Triangle& t);
 
 /// Whether the closed segment and the closed triangle have a point in common. On the order of 10 ns.
 [[gnu::flatten]] inline bool hits(const Segment& s, const Triangle& t) {
-  if (const std::optional<bool> certain = filter_hits(s, t, shared_volumes_filter)) return *certain;
+  if (const std::optional<bool> certain = filter_hits(s, t, pair_filter<Segment>)) return *certain;
   return hits_past_filter(s, t);
 }
 
 /// Whether the ray {o + λ·d, λ ≥ 0} and the closed triangle have a point in common.
 [[gnu::flatten]] inline bool hits(const Ray& r, const Triangle& t) {
-  if (const std::optional<bool> certain = filter_hits(r, t, shared_volumes_filter)) return *certain;
+  if (const std::optional<bool> certain = filter_hits(r, t, pair_filter<Ray>)) return *certain;
   return hits_past_filter(r, t);
 }
 

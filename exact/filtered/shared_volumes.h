@@ -3,6 +3,7 @@
 #pragma once
 
 #include <type_traits>
+#include <utility>
 
 #include "core/moeller_trumbore.h"
 #include "core/query.h"
@@ -92,6 +93,10 @@ Vec3<N> largest(const Arms<N>& r) {
           over_lanes(larger_magnitude(r.uw.z, r.vd.z))};
 }
 
+/// What comparing two numbers gives: bool, or a mask of lanes.
+template <class N>
+using Truth = decltype(std::declval<const N&>() < std::declval<const N&>());
+
 /// How far the volumes are from saying another thing: positive where they say hit, negative where they say miss.
 ///
 /// With the signs of all turned so that `toward` ≥ 0, a probe that crosses the triangle runs from below the plane to
@@ -107,19 +112,49 @@ N margin_of(const SharedVolumes<N>& v) {
   return smaller(smaller(sides, edges), N(e.bc * forward));
 }
 
-/// A certain hit. Every volume is known up to ±bound, so all of them have the signs that they show; and the sign of
-/// the edges is that of their sum, `toward`, whatever its computed sign.
-template <class N>
-auto certain_hit(const N& margin, const N& bound) {
-  return margin > bound;
+/// Whether the bound of the volumes and the conclusions below hold: no intermediate result overflows and, of a ray,
+/// the direction is long enough for t times what underflows in normal·d to stay below `tiny`.
+template <class P, class N>
+Truth<N> in_range(const Arms<N>& r, const Vec3<N>& largest_arm, const PairConstants<N>& c) {
+  if constexpr (std::is_same_v<P, Segment>) {
+    return in_range(largest_arm, c);
+  } else {
+    const N y_or_z = larger_magnitude(second(r.vd.y), second(r.vd.z));
+    const N length = larger(magnitude(second(r.vd.x)), y_or_z);
+    return Truth<N>(in_range(largest_arm, c) & (length >= c.direction));
+  }
 }
 
-/// A certain miss. Where one of −source and target is below −3·bound, both ends lie off the plane on one side for
-/// certain, since they add up to `toward` ≥ 0. Where an edge is, another is above bound: the line certainly passes one
-/// on its left and one on its right. Rounding changes those sums by less than bound/2: docs/error-bounds.md.
+/// What is certain of a pair.
 template <class N>
-auto certain_miss(const N& margin, const N& bound) {
-  return margin < bound * N(-3.0);
+struct Conclusion {
+  SharedVolumes<N> volumes;
+  N bound;                   ///< of the error of each volume, where `safe`
+  Truth<N> safe, hit, miss;  ///< within range; certainly a hit; certainly a miss
+};
+
+/// The one place where volumes become an answer, for scalars and lanes, single pairs, batches and trees.
+///
+/// A hit where margin > bound. Every volume is known up to ±bound, so all of them have the signs that they show; and the
+/// sign of the edges is that of their exact sum, whatever `toward` shows.
+///
+/// A miss where margin < −3·bound. Turn all signs so that `toward` ≥ 0 as computed.
+///   An edge is below −3·bound: another is above bound, since together they are `toward`; so the line certainly passes
+///   one on its left and one on its right.
+///   Of a segment, source is above 3·bound, or target below −3·bound: both are `toward` apart, so both certainly lie off
+///   the plane on one side.
+///   Of a ray, source is above 3·bound. `toward` may show the wrong sign, as it is known up to ±bound only. But if the
+///   ray met the triangle, at t, then t·d would lead from source into the triangle, and be no longer than two arms on
+///   any axis; so t·toward is known up to ±bound too, and too small to take the source down to the plane.
+/// decision.g proves these, decision_range.g that underflow does not spoil them; docs/error-bounds.md has the argument.
+template <class P, class N>
+Conclusion<N> conclude(const Arms<N>& arms, const PairConstants<N>& c) {
+  const Vec3<N> m = largest(arms);
+  const N bound = volume_bound(m, c);
+  const SharedVolumes<N> volumes = shared_volumes<P>(arms);
+  const N margin = margin_of(volumes);
+  const Truth<N> safe = in_range<P>(arms, m, c);
+  return {volumes, bound, safe, Truth<N>((margin > bound) & safe), Truth<N>((margin < bound * N(-3.0)) & safe)};
 }
 
 }  // namespace tribunal

@@ -188,8 +188,8 @@ TEST(Filtered, NamesNoHitForNonFiniteOperands) {
         Point3 v[5] = {{1, 1, -1}, {1, 1, 1}, {0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
         v[vertex][axis] = bad;
         const Triangle t{v[2], v[3], v[4]};
-        EXPECT_FALSE(filter_hits(Segment{v[0], v[1]}, t, shared_volumes_filter));
-        EXPECT_FALSE(filter_hits(Ray{v[0], {v[1]}}, t, shared_volumes_filter));
+        EXPECT_FALSE(filter_hits(Segment{v[0], v[1]}, t, pair_filter<Segment>));
+        EXPECT_FALSE(filter_hits(Ray{v[0], {v[1]}}, t, pair_filter<Ray>));
         EXPECT_FALSE(hits(Segment{v[0], v[1]}, t));
         EXPECT_FALSE(hits(Ray{v[0], {v[1]}}, t));
         EXPECT_EQ(intersect(Segment{v[0], v[1]}, t).status, Status::nonfinite);

@@ -21,7 +21,7 @@ Arms<Lanes> arms_of_lanes(const Vec3<Lanes>& source, const Vec3<Lanes>& target, 
 template <class P, bool one_against_many>
 [[gnu::flatten]] std::size_t filter_pairs(const double* const* columns, std::size_t n, std::uint8_t* hit,
                                           std::uint32_t* undecided) {
-  const FilterConstants<Lanes> c = in_lanes(shared_volumes_filter);
+  const PairConstants<Lanes> c = in_lanes(pair_filter<P>);
   constexpr std::size_t step = HWY_LANES(double);
   constexpr unsigned all = (1U << step) - 1;
   Vec3<Lanes> source = broadcast(columns), target = broadcast(columns + 3);
@@ -31,16 +31,11 @@ template <class P, bool one_against_many>
       source = load(columns, i);
       target = load(columns + 3, i);
     }
-    const Arms<Lanes> arms =
-        arms_of_lanes<P>(source, target, {load(columns + 6, i), load(columns + 9, i), load(columns + 12, i)});
-    const Vec3<Lanes> m = largest(arms);
-    const Lanes bound = volume_bound(m, c);
-    const Lanes margin = margin_of(shared_volumes<P>(arms));
-    const unsigned safe = in_range(m, c).bits();
-    const unsigned certainly = certain_hit(margin, bound).bits() & safe;
-    store_bytes(certainly, hit + i);
-    for (unsigned rest = all & ~(certainly | (certain_miss(margin, bound).bits() & safe)); rest != 0;
-         rest &= rest - 1) {
+    const LiftedTriangle<Lanes> t{load(columns + 6, i), load(columns + 9, i), load(columns + 12, i)};
+    const auto certain = conclude<P>(arms_of_lanes<P>(source, target, t), c);
+    const unsigned hits = certain.hit.bits();
+    store_bytes(hits, hit + i);
+    for (unsigned rest = all & ~(hits | certain.miss.bits()); rest != 0; rest &= rest - 1) {
       undecided[left++] = static_cast<std::uint32_t>(i) + static_cast<std::uint32_t>(std::countr_zero(rest));
     }
   }

@@ -98,6 +98,10 @@ inline FilterConstants<Lanes> in_lanes(const FilterConstants<double>& c) {
   return {Lanes(c.k), Lanes(c.tiny), Lanes(c.huge)};
 }
 
+inline PairConstants<Lanes> in_lanes(const PairConstants<double>& c) {
+  return {in_lanes(static_cast<const FilterConstants<double>&>(c)), Lanes(c.direction)};
+}
+
 inline Vec3<Lanes> load(const double* const* columns, std::size_t i) {
   return {Lanes::load(columns[0] + i), Lanes::load(columns[1] + i), Lanes::load(columns[2] + i)};
 }

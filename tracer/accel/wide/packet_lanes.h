@@ -161,18 +161,10 @@ class PacketSieve {
   HWY_INLINE LaneVerdict of_triangle(const double* column, std::size_t n, std::size_t c, unsigned asked) const {
     const LiftedTriangle<Lanes> t{vertex(column, n), vertex(column + 3 * n, n), vertex(column + 6 * n, n)};
     const Vec3<Lanes> source = load(state_.packet.source, c), target = load(state_.packet.target, c);
-    const Arms<Lanes> arms = arms_of_lanes<P>(source, target, t);
-    const Vec3<Lanes> m = largest(arms);
-    const Lanes bound = volume_bound(m, constants_);
-    const SharedVolumes<Lanes> v = shared_volumes<P>(arms);
-    const Lanes margin = margin_of(v);
-    const unsigned safe = in_range(m, constants_).bits();
-    LaneVerdict verdict{certain_miss(margin, bound).bits() & safe,
-                        certain_hit(margin, bound).bits() & safe,
-                        v.sides.source,
-                        -v.sides.toward,
-                        bound,
-                        bound};
+    const auto certain = conclude<P>(arms_of_lanes<P>(source, target, t), constants_);
+    const Sides<Lanes>& sides = certain.volumes.sides;
+    LaneVerdict verdict{certain.miss.bits(), certain.hit.bits(), sides.source, -sides.toward, certain.bound,
+                        certain.bound};
     const unsigned unsure = asked & ~(verdict.missed | verdict.hit);
     if (HWY_UNLIKELY(unsure != 0)) {
       const auto [missed, hit] = missed_and_hit_by_terms<P>({source, target}, t);
@@ -180,7 +172,7 @@ class PacketSieve {
       verdict.hit |= hit;
     }
     if constexpr (std::is_same_v<P, Ray>) {
-      const Lanes far = bound * Lanes(0x1p20);
+      const Lanes far = certain.bound * Lanes(0x1p20);
       const unsigned near = ((magnitude(verdict.num) < far) | (magnitude(verdict.den) < far)).bits();
       if (HWY_UNLIKELY((verdict.hit & asked & near) != 0)) come_closer(t, source, target, verdict);
     }
@@ -206,7 +198,7 @@ class PacketSieve {
 
   const PacketFaces& faces_;
   PacketState& state_;
-  FilterConstants<Lanes> constants_ = in_lanes(shared_volumes_filter);
+  PairConstants<Lanes> constants_ = in_lanes(pair_filter<P>);
 };
 
 /// The closest hit of each lane so far: bounds of its parameter, and the face.

@@ -46,18 +46,13 @@ class LeafSieve {
     for (std::size_t from = 0; from < count; from += step) {
       const LiftedTriangle<Lanes> t{vertex(column + from, 0, count), vertex(column + from, 1, count),
                                     vertex(column + from, 2, count)};
-      const Arms<Lanes> arms = arms_of_lanes<P>(source_, target_, t);
-      const Vec3<Lanes> m = largest(arms);
-      const Lanes bound = volume_bound(m, constants_);
-      const SharedVolumes<Lanes> volumes = shared_volumes<P>(arms);
-      const Lanes margin = margin_of(volumes);
-      const unsigned safe = in_range(m, constants_).bits();
-      sifted.safe |= safe << from;
-      missed |= (certain_miss(margin, bound).bits() & safe) << from;
-      sifted.hit |= (certain_hit(margin, bound).bits() & safe) << from;
-      hn::StoreU(volumes.sides.source.v, tag, sifted.source + from);
-      hn::StoreU(volumes.sides.toward.v, tag, sifted.toward + from);
-      hn::StoreU(bound.v, tag, sifted.bound + from);
+      const auto certain = conclude<P>(arms_of_lanes<P>(source_, target_, t), constants_);
+      sifted.safe |= certain.safe.bits() << from;
+      missed |= certain.miss.bits() << from;
+      sifted.hit |= certain.hit.bits() << from;
+      hn::StoreU(certain.volumes.sides.source.v, tag, sifted.source + from);
+      hn::StoreU(certain.volumes.sides.toward.v, tag, sifted.toward + from);
+      hn::StoreU(certain.bound.v, tag, sifted.bound + from);
     }
     const unsigned present = (1U << count) - 1;
     counts.missed += static_cast<unsigned>(std::popcount(missed & present));
@@ -75,7 +70,7 @@ class LeafSieve {
   }
 
   Vec3<Lanes> source_, target_;
-  FilterConstants<Lanes> constants_ = in_lanes(shared_volumes_filter);
+  PairConstants<Lanes> constants_ = in_lanes(pair_filter<P>);
 };
 
 /// Tells of all primitives of a leaf, with nothing known of them.
