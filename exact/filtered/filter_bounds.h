@@ -24,9 +24,9 @@ inline constexpr FilterConstants<double> volume_filter{47 * rounding, 0x1p-700, 
 
 /// What the test of a pair (shared_volumes.h) may conclude from its five volumes.
 ///
-/// A segment's `direction` is not asked for. A ray's is, since a ray reaches plane and triangle at t = 1/|d| times their
-/// distance, and multiplies by it what underflow did to normal·d: below `direction` on all axes the filter abstains,
-/// above it `tiny` covers that too.
+/// A segment's `direction` is not asked for. A ray's is, since a ray reaches plane and triangle at t = 1/|d| times
+/// their distance, and multiplies by it what underflow did to normal·d: below `direction` on all axes the filter
+/// abstains, above it `tiny` covers that too.
 template <class N>
 struct PairConstants : FilterConstants<N> {
   N direction;

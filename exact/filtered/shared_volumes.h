@@ -135,17 +135,17 @@ struct Conclusion {
 
 /// The one place where volumes become an answer, for scalars and lanes, single pairs, batches and trees.
 ///
-/// A hit where margin > bound. Every volume is known up to ±bound, so all of them have the signs that they show; and the
-/// sign of the edges is that of their exact sum, whatever `toward` shows.
+/// A hit where margin > bound. Every volume is known up to ±bound, so all of them have the signs that they show; and
+/// the sign of the edges is that of their exact sum, whatever `toward` shows.
 ///
 /// A miss where margin < −3·bound. Turn all signs so that `toward` ≥ 0 as computed.
 ///   An edge is below −3·bound: another is above bound, since together they are `toward`; so the line certainly passes
 ///   one on its left and one on its right.
-///   Of a segment, source is above 3·bound, or target below −3·bound: both are `toward` apart, so both certainly lie off
-///   the plane on one side.
-///   Of a ray, source is above 3·bound. `toward` may show the wrong sign, as it is known up to ±bound only. But if the
-///   ray met the triangle, at t, then t·d would lead from source into the triangle, and be no longer than two arms on
-///   any axis; so t·toward is known up to ±bound too, and too small to take the source down to the plane.
+///   Of a segment, source is above 3·bound, or target below −3·bound: both are `toward` apart, so both certainly lie
+///   off the plane on one side. Of a ray, source is above 3·bound. `toward` may show the wrong sign, as it is known up
+///   to ±bound only. But if the ray met the triangle, at t, then t·d would lead from source into the triangle, and be
+///   no longer than two arms on any axis; so t·toward is known up to ±bound too, and too small to take the source down
+///   to the plane.
 /// decision.g proves these, decision_range.g that underflow does not spoil them; docs/error-bounds.md has the argument.
 template <class P, class N>
 Conclusion<N> conclude(const Arms<N>& arms, const PairConstants<N>& c) {

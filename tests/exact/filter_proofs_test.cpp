@@ -36,23 +36,42 @@ TEST(FilterProofs, GappaProvesTheSharedVolumesFusedAndNot) {
     EXPECT_LE(proved.at("target - TARGET"), 104.001 * rounding) << script;
     for (const auto& [claim, bound] : proved) worst = std::max(worst, bound);
     EXPECT_EQ(worst, proved.at("bc - BC")) << script;
-    EXPECT_LT(worst * (1 + 8 * rounding), shared_volumes_filter.k);
+    EXPECT_LT(worst * (1 + 8 * rounding), pair_filter<Segment>.k);
     EXPECT_LE(worst, 168.001 * rounding);
     for (const char* identity : {"target - (source + toward)", "bc - (toward - ab + ac)"}) {
-      EXPECT_LT(proved.at(identity), shared_volumes_filter.k / 2) << script;
+      EXPECT_LT(proved.at(identity), pair_filter<Segment>.k / 2) << script;
     }
   }
+}
+
+TEST(FilterProofs, GappaProvesWhatIsConcluded) {
+  const auto proved = proved_by("decision.g");
+  EXPECT_EQ(proved.size(), 5U);
+  for (const auto& [claim, bound] : proved) EXPECT_LT(bound, 0) << claim;
+  for (const double k : {pair_filter<Segment>.k, pair_filter<Ray>.k}) {
+    EXPECT_GE(k * (1 - 4 * rounding), 169 * rounding) << "what decision.g takes the bound to be";
+  }
+}
+
+TEST(FilterProofs, GappaProvesThatARayMissesByItsSource) {
+  const auto proved = proved_by("ray_decision.g");
+  ASSERT_EQ(proved.size(), 2U);
+  for (const auto& [claim, bound] : proved) EXPECT_LT(bound, pair_filter<Ray>.k) << claim;
+  EXPECT_LT(proved_by("ray_range.g").at("e_source + e_toward + e_bound"), pair_filter<Ray>.tiny);
+  EXPECT_EQ(pair_filter<Ray>.huge, 0x1p150);
+  EXPECT_EQ(pair_filter<Ray>.direction, 0x1p-150);
 }
 
 TEST(FilterProofs, GappaProvesTheRangeGuards) {
   const auto proved = proved_by("range.g");
   EXPECT_LT(proved.at("e_edge + e_bound"), volume_filter.tiny);
-  EXPECT_LT(proved.at("e_edge + e_bound"), shared_volumes_filter.tiny);
+  EXPECT_LT(proved.at("e_edge + e_bound"), pair_filter<Segment>.tiny);
+  EXPECT_LT(proved.at("e_edge + e_bound"), pair_filter<Ray>.tiny);
   EXPECT_LT(proved.at("e_minor + e_bound * 1b-150"), area_filter.tiny);
   EXPECT_LT(proved.at("o_order"), order_filter.tiny);
   for (const char* largest : {"m_edge", "n_order"}) EXPECT_LT(proved.at(largest), 0x1p1000);
   EXPECT_EQ(volume_filter.huge, 0x1p150);
-  EXPECT_EQ(shared_volumes_filter.huge, 0x1p150);
+  EXPECT_EQ(pair_filter<Segment>.huge, 0x1p150);
   EXPECT_EQ(area_filter.huge, 0x1p150);
   EXPECT_EQ(order_filter.huge, 0x1p100);
 }
@@ -213,7 +232,7 @@ Outcome enumerate_hits(int rounds, const Filter& filter) {
 }
 
 Outcome hits_by_largest(double divisor) {
-  const auto c = toy_filter<10>(168, 18, 12, divisor);
+  const PairConstants<Toy<10>> c{toy_filter<10>(168, 18, 12, divisor), {}};
   return enumerate_hits<10>(20, [&](const Segment& s, const Triangle& t) { return filter_hits(s, t, c); });
 }
 
@@ -239,6 +258,58 @@ TEST(ToyFloats, TermsDecideMoreHitsAndNoneWrong) {
 }
 
 TEST(ToyFloats, AConstantTooSmallGivesWrongHitsByTerms) { EXPECT_GT(hits_by_terms(16).wrong, 0U); }
+
+/// A 16-bit format in which underflow is near: least normal number 2⁻⁶⁰, arms below 2¹².
+constexpr int toy_least = -60, toy_huge = 12;
+using SmallToy = Toy<16, toy_least>;
+
+/// The constants of ray_range.g for that format, with the direction at least 2^direction: there t is below
+/// 2·2^huge/2^direction, and underflow adds less than 3·(2·huge²·(1 + 3u) + 2)·t·flush, three terms and two sums.
+PairConstants<SmallToy> small_toy_filter(int direction, int guarded_direction) {
+  const double flush = std::ldexp(1.0, toy_least), huge = std::ldexp(1.0, toy_huge);
+  const double t_max = 2.1 * huge / std::ldexp(1.0, direction);
+  PairConstants<SmallToy> c;
+  c.k.x = toy_filter<16>(168, 18, 12).k.x;
+  c.tiny.x = 7 * huge * huge * t_max * flush;
+  c.huge.x = huge;
+  c.direction.x = std::ldexp(1.0, guarded_direction);
+  return c;
+}
+
+/// The shipped conclusion on rays, with scales of direction and geometry of their own: aimed at a point of the triangle
+/// or somewhere near it, with components that underflow one by one. Judged exactly.
+Outcome conclude_on_rays(std::uint64_t cases, const PairConstants<SmallToy>& c) {
+  Outcome outcome;
+  for (std::uint64_t k = 0; k < cases; ++k) {
+    Draw draw(978, 1, k);
+    const int most = draw.below(2) == 0 ? 3 : 31;
+    const auto number = [&] { return static_cast<double>(draw.between(-most, most)); };
+    Point3 a, b, c_, o, off;
+    for (Point3* p : {&a, &b, &c_, &o, &off}) {
+      for (int axis = 0; axis < 3; ++axis) (*p)[axis] = number();
+    }
+    const Point3 aim = a + b + c_ * 2.0 + (draw.below(2) == 0 ? Point3(0, 0, 0) : off);
+    const int size = static_cast<int>(draw.between(-20, 6)), length = static_cast<int>(draw.between(toy_least - 9, 2));
+    const auto scaled = [](const Point3& p, int e) { return p * std::ldexp(1.0, e); };
+    const Ray r{scaled(o, size), {scaled(aim - o * 4.0, length)}};
+    const Triangle t{scaled(a, size), scaled(b, size), scaled(c_, size)};
+    const std::optional<bool> hit = filter_hits(r, t, c);
+    hit ? ++outcome.certain : ++outcome.undecided;
+    outcome.wrong += hit && *hit != hits_exactly(r, t);
+  }
+  return outcome;
+}
+
+TEST(ToyFloats, NoCertainAnswerToARayIsWrong) {
+  const Outcome o = conclude_on_rays(2'000'000, small_toy_filter(-12, -12));
+  EXPECT_EQ(o.wrong, 0U);
+  EXPECT_GT(o.certain, 10'000U);
+  EXPECT_GT(o.undecided, 10'000U);
+}
+
+TEST(ToyFloats, WithoutTheGuardOfDirectionsRaysAreLost) {
+  EXPECT_GT(conclude_on_rays(2'000'000, small_toy_filter(-12, -1000)).wrong, 0U);
+}
 
 /// Two triangles across one ray, one of them the other with some coordinates moved a little: 10-bit numbers, 10-bit
 /// arithmetic.

@@ -25,7 +25,7 @@ inline std::map<std::string, double> proved_by(const std::string& script) {
   char buffer[4096];
   for (std::size_t n; pipe && (n = fread(buffer, 1, sizeof buffer, pipe.get())) > 0;) output.append(buffer, n);
   std::map<std::string, double> proved;
-  const std::regex line(R"(\n  (.+) in \[.*, (\d+)b(-?\d+) \{)");
+  const std::regex line(R"(\n  (.+) in \[.*, (-?\d+)b(-?\d+) \{)");
   for (std::sregex_iterator i(output.begin(), output.end(), line), end; i != end; ++i) {
     proved[(*i)[1]] = std::ldexp(std::stod((*i)[2]), std::stoi((*i)[3]));
   }
@@ -58,13 +58,14 @@ struct Tracked {
   }
 };
 
-/// A floating-point format with few bits of significand and any exponent: results are rounded to nearest.
-template <int bits>
+/// A floating-point format with few bits of significand: results are rounded to nearest. Its least normal number is
+/// 2^least; what is smaller is flushed to zero, as a result and as an operand.
+template <int bits, int least = -1000>
 struct Toy {
   double x = 0;
 
   Toy() = default;
-  explicit Toy(double exact) : x(round(exact)) {}
+  explicit Toy(double exact) : x(flushed(round(exact))) {}
 
   /// Veltkamp's splitting: the leading bits of the sum x·(2^k + 1) − x·2^k.
   static double round(double exact) {
@@ -73,6 +74,9 @@ struct Toy {
     return scaled - (scaled - exact);
   }
 
+  static double flushed(double x) { return std::fabs(x) < std::ldexp(1.0, least) ? 0 : x; }
+
+  friend bool operator>=(const Toy& a, const Toy& b) { return a.x >= b.x; }
   friend Toy operator-(const Toy& a, const Toy& b) { return Toy(a.x - b.x); }
   friend Toy operator+(const Toy& a, const Toy& b) { return Toy(a.x + b.x); }
   friend Toy operator*(const Toy& a, const Toy& b) { return Toy(a.x * b.x); }
