@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "exact/filtered/filtered.h"
+#include "exact/filtered/stages/default_rounding.h"
 #include "tracer/accel/wide/closest.h"
 #include "tracer/accel/wide/packet.h"
 
@@ -125,10 +126,14 @@ TriangleTree::TriangleTree(std::span<const Triangle> triangles)
         return Primitive{box_of(triangles[i]), triangles[i]};
       }) {}
 
-std::optional<Nearest> TriangleTree::closest(const Ray& ray) const { return search(tree_, ray); }
+std::optional<Nearest> TriangleTree::closest(const Ray& ray) const {
+  const DefaultRounding in_this_scope;  // the bounds of boxes rest on it
+  return search(tree_, ray);
+}
 
 void TriangleTree::closest(std::span<const Ray> rays, std::span<std::optional<Nearest>> hits) const {
   if (rays.size() != hits.size()) throw std::invalid_argument("closest: as many hits as rays are needed");
+  const DefaultRounding in_this_scope;
   const auto part = [&](const auto& all, std::size_t from, std::size_t count) {
     return all.subspan(from, std::min(count, all.size() - from));
   };

@@ -22,7 +22,8 @@ struct Nearest {
 /// Laws. (1) `closest` is what a test of every triangle by exact arithmetic gives, in the tracer's reading: a
 /// triangle that holds the ray in its plane, or has no area, is not hit. (2) A ray that is not finite hits nothing.
 /// (3) All const functions may be called from any number of threads at once. (4) Rays in a batch get the ids that they
-/// get one by one; t may be rounded otherwise.
+/// get one by one; t may be rounded otherwise. (5) Neither the rounding mode nor flush-to-zero of the calling thread
+/// changes an answer.
 class TriangleTree {
  public:
   explicit TriangleTree(std::span<const Triangle> triangles);

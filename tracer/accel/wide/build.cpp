@@ -3,12 +3,14 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
+#include <tbb/task_group.h>
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "core/format.h"
+#include "exact/filtered/stages/default_rounding.h"
 #include "tracer/accel/wide/bins.h"
 #include "tracer/accel/wide/tree.h"
 
@@ -276,7 +278,13 @@ class WideBuilder {
 
 WideTree::WideTree(std::uint32_t count, const std::function<Primitive(std::uint32_t)>& primitive) {
   if (count > NodeRef::most_primitives) throw std::length_error("tree: more than 2^27 primitives");
-  WideBuilder(*this, count, primitive).build();
+  // Boxes are rounded outward by rounding to nearest, in whatever thread: tasks take over what the context has
+  // captured.
+  const DefaultRounding in_this_scope;
+  tbb::task_group_context context(tbb::task_group_context::isolated,
+                                  tbb::task_group_context::default_traits | tbb::task_group_context::fp_settings);
+  tbb::task_group all(context);
+  all.run_and_wait([&] { WideBuilder(*this, count, primitive).build(); });
 }
 
 }  // namespace tribunal
