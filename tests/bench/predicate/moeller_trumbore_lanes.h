@@ -8,8 +8,9 @@
 
 namespace tribunal::HWY_NAMESPACE {
 
-inline LaneMask meets(const Vec3<Lanes>& p, const Vec3<Lanes>& d, const Vec3<Lanes>& a, const Vec3<Lanes>& b,
-                      const Vec3<Lanes>& c) {
+template <bool is_ray>
+LaneMask meets(const Vec3<Lanes>& p, const Vec3<Lanes>& d, const Vec3<Lanes>& a, const Vec3<Lanes>& b,
+               const Vec3<Lanes>& c) {
   const Lanes zero(0.0), one(1.0);
   const Vec3<Lanes> e1 = b - a, e2 = c - a, tvec = p - a;
   const Vec3<Lanes> pvec = cross(d, e2), qvec = cross(tvec, e1);
@@ -17,18 +18,19 @@ inline LaneMask meets(const Vec3<Lanes>& p, const Vec3<Lanes>& d, const Vec3<Lan
   const Lanes u = dot(tvec, pvec) * inverse;
   const Lanes v = dot(d, qvec) * inverse;
   const Lanes at = dot(e2, qvec) * inverse;
-  return (u >= zero) & (v >= zero) & (u + v <= one) & (at >= zero) & (at <= one);
+  const LaneMask ahead = (u >= zero) & (v >= zero) & (u + v <= one) & (at >= zero);
+  return is_ray ? ahead : ahead & (at <= one);
 }
 
-template <bool one_against_many>
+template <bool is_ray, bool one_against_many>
 [[gnu::flatten]] void moeller_trumbore_columns(const double* const* columns, std::size_t n, std::uint8_t* hit) {
-  Vec3<Lanes> p = broadcast(columns), d = broadcast(columns + 3) - p;
+  Vec3<Lanes> p = broadcast(columns), d = is_ray ? broadcast(columns + 3) : broadcast(columns + 3) - p;
   for (std::size_t i = 0; i < n; i += HWY_LANES(double)) {
     if constexpr (!one_against_many) {
       p = load(columns, i);
-      d = load(columns + 3, i) - p;
+      d = is_ray ? load(columns + 3, i) : load(columns + 3, i) - p;
     }
-    store_bytes(meets(p, d, load(columns + 6, i), load(columns + 9, i), load(columns + 12, i)).bits(), hit + i);
+    store_bytes(meets<is_ray>(p, d, load(columns + 6, i), load(columns + 9, i), load(columns + 12, i)).bits(), hit + i);
   }
 }
 

@@ -4,7 +4,8 @@
 
 namespace tribunal::bench {
 
-const VectorPeer moeller_trumbore_portable{"portable", HWY_NAMESPACE::moeller_trumbore_columns<false>,
-                                           HWY_NAMESPACE::moeller_trumbore_columns<true>};
+const VectorPeer moeller_trumbore_portable{"portable", HWY_NAMESPACE::moeller_trumbore_columns<false, false>,
+                                           HWY_NAMESPACE::moeller_trumbore_columns<false, true>,
+                                           HWY_NAMESPACE::moeller_trumbore_columns<true, false>};
 
 }  // namespace tribunal::bench

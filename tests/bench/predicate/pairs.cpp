@@ -17,9 +17,12 @@ Point3 unit_point(Draw& draw) {
   return p;
 }
 
+bool segment_hits(const Pair& p) { return hits(p.segment, p.triangle); }
+bool ray_hits(const Pair& p) { return hits(p.ray(), p.triangle); }
+
 /// Deals hits and misses from an endless source so that exactly this share of any 100 in a row hits, in mixed order.
 template <class Source>
-std::vector<Pair> with_hits(std::size_t n, int percent, const Source& source) {
+std::vector<Pair> with_hits(std::size_t n, int percent, const Source& source, bool (*is_hit)(const Pair&)) {
   std::vector<Pair> pairs;
   std::vector<Pair> waiting[2];
   for (std::uint64_t k = 0; pairs.size() < n;) {
@@ -27,7 +30,7 @@ std::vector<Pair> with_hits(std::size_t n, int percent, const Source& source) {
     std::vector<Pair>& stock = waiting[wanted];
     while (stock.empty()) {
       const Pair p = source(k++);
-      waiting[hits(p.segment, p.triangle)].push_back(p);
+      waiting[is_hit(p)].push_back(p);
     }
     pairs.push_back(stock.back());
     stock.pop_back();
@@ -78,16 +81,28 @@ Pair random_pair(std::uint64_t k) {
   return {{v[0], v[1]}, {v[2], v[3], v[4]}};
 }
 
-std::vector<Pair> random_pairs(std::size_t n, int percent_hits) { return with_hits(n, percent_hits, random_pair); }
+std::vector<Pair> random_pairs(std::size_t n, int percent_hits) {
+  return with_hits(n, percent_hits, random_pair, segment_hits);
+}
+
+std::vector<Pair> random_rays(std::size_t n, int percent_hits) {
+  const auto ray = [](std::uint64_t k) {
+    Pair p = random_pair(k);
+    p.segment.q -= p.segment.p;
+    return p;
+  };
+  return with_hits(n, percent_hits, ray, ray_hits);
+}
 
 std::vector<Pair> one_segment_pairs(std::size_t n) {
   const Segment s{{0.25, 0.25, 0.125}, {0.625, 0.75, 0.875}};
-  return with_hits(n, 7, [&](std::uint64_t k) {
+  const auto pair = [&](std::uint64_t k) {
     Draw draw(triangle_stream, 1, k);
     Triangle t;
     for (Point3* p : {&t.a, &t.b, &t.c}) *p = unit_point(draw);
     return Pair{s, t};
-  });
+  };
+  return with_hits(n, 7, pair, segment_hits);
 }
 
 std::vector<Pair> degenerate_pairs(std::size_t n, int bits) {

@@ -10,9 +10,12 @@
 
 namespace tribunal::bench {
 
+/// Of a segment, or of a ray: then `segment.q` is its direction.
 struct Pair {
   Segment segment;
   Triangle triangle;
+
+  Ray ray() const { return {segment.p, {segment.q}}; }
 };
 
 /// The same pairs twice: `pairs`, and the columns of source, target, a, b, c.
@@ -23,6 +26,7 @@ class PairTable {
   const std::vector<Pair>& pairs() const { return pairs_; }
   std::size_t size() const { return pairs_.size(); }
   SegmentColumns segments() const { return {points(0), points(1)}; }
+  RayColumns rays() const { return {points(0), points(1)}; }
   TriangleColumns triangles() const { return {points(2), points(3), points(4)}; }
   std::array<const double*, 15> columns() const;
 
@@ -40,6 +44,9 @@ Pair random_pair(std::uint64_t k);
 
 /// Random pairs of which this percentage hits. The paper counted 7 % in its scenes.
 std::vector<Pair> random_pairs(std::size_t n, int percent_hits);
+
+/// The same with rays, from the first point of a random pair towards the second.
+std::vector<Pair> random_rays(std::size_t n, int percent_hits);
 
 /// One segment, repeated, with random triangles of which 7 % meet it.
 std::vector<Pair> one_segment_pairs(std::size_t n);

@@ -93,6 +93,32 @@ void time_batches(const std::string& population, const PairTable& table, bool on
   }
 }
 
+/// The same of rays.
+void time_rays(const std::string& population, const PairTable& table) {
+  const auto time_one = [&](const std::string& method, auto meets) {
+    benchmark::RegisterBenchmark(named(method, population).c_str(), [&table, meets](benchmark::State& state) {
+      for (auto _ : state) {
+        std::size_t count = 0;
+        for (const Pair& p : table.pairs()) count += meets(p.ray(), p.triangle);
+        benchmark::DoNotOptimize(count);
+      }
+      state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * table.size()));
+    });
+  };
+  time_one("scalar_mt", [](const Ray& r, const Triangle& t) { return moeller_trumbore<double>(r, t).has_value(); });
+  time_one("single", [](const Ray& r, const Triangle& t) { return hits(r, t); });
+  std::string suffix;
+  for (const VectorPeer* peer : {&moeller_trumbore_avx512, &moeller_trumbore_avx2, &moeller_trumbore_portable}) {
+    if (!runs_here(*peer)) continue;
+    time_batch("simd_mt" + suffix, population, table, peer->name,
+               [&table, test = peer->rays](std::uint8_t* hit) { test(table.columns().data(), table.size(), hit); });
+    time_batch("batch" + suffix, population, table, peer->name, [&table](std::uint8_t* hit) {
+      hits(table.rays(), table.triangles(), {hit, table.size()});
+    });
+    suffix = peer == &moeller_trumbore_avx512 ? "_avx2" : "_portable";
+  }
+}
+
 void time_exact_peers(const std::string& population, const PairTable& table) {
   time_single("epick", population, table, epick);
   time_single("epeck", population, table, epeck);
@@ -124,6 +150,7 @@ void register_all() {
     time_single("sf_rational", population, table,
                 [](const Segment& s, const Triangle& t) { return segura_feito(s, t, RationalKernel{}).hit; });
   }
+  time_rays("rays_7", kept(random_rays(in_second_level_cache, 7)));
   time_batches("one_against_many", kept(one_segment_pairs(in_second_level_cache)), true);
   time_batches("first_level_cache", kept(random_pairs(in_first_level_cache, 7)));
   time_batches("memory", kept(random_pairs(in_memory, 7)));
@@ -167,6 +194,11 @@ void print_ratios(const Medians& m) {
     m.print_ratio(std::string("batch_over_simd_mt_hits_") + percent, at + "batch", at + "simd_mt");
     m.print_ratio(std::string("single_over_scalar_mt_hits_") + percent, at + "single", at + "scalar_mt");
     m.print_ratio(std::string("epick_over_batch_hits_") + percent, at + "epick", at + "batch");
+  }
+  m.print_ratio("single_over_scalar_mt_rays", "rays_7/single", "rays_7/scalar_mt");
+  for (const char* target : {"", "_avx2", "_portable"}) {
+    const std::string batch = std::string("rays_7/batch") + target;
+    m.print_ratio(std::string("batch_over_simd_mt_rays") + target, batch, std::string("rays_7/simd_mt") + target);
   }
   for (const char* where : {"one_against_many", "first_level_cache", "memory"}) {
     const std::string at = std::string(where) + "/";
