@@ -163,8 +163,8 @@ class PacketSieve {
     const Vec3<Lanes> source = load(state_.packet.source, c), target = load(state_.packet.target, c);
     const auto certain = conclude<P>(arms_of_lanes<P>(source, target, t), constants_);
     const Sides<Lanes>& sides = certain.volumes.sides;
-    LaneVerdict verdict{certain.miss.bits(), certain.hit.bits(), sides.source, -sides.toward, certain.bound,
-                        certain.bound};
+    LaneVerdict verdict{certain.miss.bits(), certain.hit.bits(), sides.source,
+                        -sides.toward,       certain.bound,      certain.bound};
     const unsigned unsure = asked & ~(verdict.missed | verdict.hit);
     if (HWY_UNLIKELY(unsure != 0)) {
       const auto [missed, hit] = missed_and_hit_by_terms<P>({source, target}, t);

@@ -1,0 +1,50 @@
+// The case files of data/cases that state their answer: every exact method must give it to each case that it takes.
+#include <gtest/gtest.h>
+
+#include "exact/io/case_io.h"
+#include "exact/io/files.h"
+#include "exact/io/polygon_case_io.h"
+#include "exact/methods.h"
+
+namespace tribunal {
+namespace {
+struct FileOfCases {
+  const char* path;
+  std::size_t cases;
+};
+
+/// Found in the field or by attacks on this program; sources stand in the files.
+constexpr FileOfCases files[] = {{"data/cases/published-reports.jsonl", 569},
+                                 {"data/cases/published-rivals.jsonl", 4},
+                                 {"data/cases/ray-scales.jsonl", 5}};
+
+bool hit_of(const Answer& a) { return a.hit; }
+bool hit_of(const PolygonAnswer& a) { return a.answer.hit; }
+Status status_of(const Answer& a) { return a.status; }
+Status status_of(const PolygonAnswer& a) { return a.answer.status; }
+
+TEST(CaseFiles, AreAnsweredAsTheySayByEveryExactMethod) {
+  for (const FileOfCases& file : files) {
+    const std::vector<AnyCase> cases = read_any_cases(file.path);
+    EXPECT_EQ(cases.size(), file.cases) << file.path;
+    std::size_t judged = 0;
+    for (const AnyCase& any : cases) {
+      std::visit(
+          [&](const auto& c) {
+            ASSERT_TRUE(c.expect.has_value()) << file.path << " " << c.id;
+            for (const Method& m : all_methods()) {
+              if (!m.exact) continue;
+              const auto answer = m.ask(c.query);
+              if (status_of(answer) != Status::ok) continue;
+              ++judged;
+              EXPECT_EQ(hit_of(answer), *c.expect) << file.path << " " << c.id << " by " << m.name;
+            }
+          },
+          any);
+    }
+    EXPECT_GE(judged, 4 * cases.size()) << file.path;
+  }
+}
+
+}  // namespace
+}  // namespace tribunal
