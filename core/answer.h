@@ -22,8 +22,9 @@ enum class Status : std::uint8_t { ok, nonfinite, unsupported };
 enum class Stage : std::uint8_t { none, filter, expansion, exact };
 inline constexpr std::size_t stage_count = 4;
 
-/// One of the 163 classes of a segment and a triangle, 1..163; 0 where none was computed.
-using ClassId = std::uint8_t;
+/// One of the 163 classes of a segment and a triangle, 1..163, or of the 165 of a ray and a triangle, from 164 on;
+/// 0 where none was computed.
+using ClassId = std::uint16_t;
 
 struct Answer {
   bool hit = false;

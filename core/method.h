@@ -43,8 +43,8 @@ struct Method {
 
   std::function<Answer(const Segment&, const Triangle&)> segment;
   std::function<Answer(const Ray&, const Triangle&)> ray;
-  /// `segment` with the class of the five points added, for methods that work from signs; else empty.
-  std::function<Answer(const Segment&, const Triangle&)> classify;
+  /// `segment` or `ray` with the class added, for methods that work from signs; else empty.
+  std::function<Answer(const Probe&, const Triangle&)> classify;
   /// Sign of t₁ − t₂ for two triangles that the ray crosses; empty if the method has no opinion.
   std::function<Sign(const Ray&, const Triangle&, const Triangle&)> compare_hits;
 

@@ -160,7 +160,7 @@ void add_stage_gaps(Certificate& c) {
         const Count all = c.coverage.total(format, operands);
         if (all.judged() > 0 && all.at(stage) == 0) c.gaps.push_back({where, "no answer came from this stage", false});
       }
-      for (ClassId id = 1; id <= class_count; ++id) {
+      for (ClassId id = 1; id <= all_class_count; ++id) {
         if (c.coverage.at(format, id).judged() == 0 || c.coverage.at(format, id).at(stage) > 0) continue;
         const std::string reason = reason_of(stage, id);
         c.gaps.push_back({where + " " + class_name(id), reason.empty() ? "no answer came from this stage" : reason,

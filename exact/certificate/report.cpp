@@ -98,10 +98,11 @@ Json coverage_json(const Certificate& c, Format format, const SlotGroup& group, 
   return row;
 }
 
-Json classes_json(const Certificate& c) {
+/// Of the 163 classes of segments, or of those of rays.
+Json classes_json(const Certificate& c, const SlotGroup& group) {
   Json rows = Json::object();
   for (const Format format : {Format::binary64, Format::binary32}) {
-    rows[std::string(name_of(format))] = coverage_json(c, format, slot_groups(Operands::triangles)[0], "classes");
+    rows[std::string(name_of(format))] = coverage_json(c, format, group, "classes");
   }
   return rows;
 }
@@ -292,7 +293,10 @@ Json to_json(const Certificate& c) {
   object.erase("record");
   object["verdict"] = name_of(c.verdict);
   const bool polygons = c.coverage.has(Operands::polygons);
-  if (!polygons || c.coverage.has(Operands::triangles)) object["classes_judged"] = classes_json(c);
+  if (!polygons || c.coverage.has(Operands::triangles)) {
+    object["classes_judged"] = classes_json(c, slot_groups(Operands::triangles)[0]);
+    object["ray_classes_judged"] = classes_json(c, slot_groups(Operands::triangles)[1]);
+  }
   if (polygons) object["polygons_judged"] = polygons_json(c);
   object["proved"] = proved_json(c);
   object["streams"] = streams_json(c);

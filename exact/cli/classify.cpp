@@ -14,8 +14,9 @@ struct Options {
 
 /// With the class where the method can tell it.
 Answer answer_to(const Method& method, const Query& query) {
-  const auto* segment = std::get_if<Segment>(&query.probe);
-  return segment != nullptr && method.classify ? method.classify(*segment, query.triangle) : method.ask(query);
+  const Answer answer = method.ask(query);
+  if (!method.classify || answer.status != Status::ok) return answer;
+  return method.classify(query.probe, query.triangle);
 }
 
 /// `unsupported` where the method promises nothing, which takes the exact answer to tell.

@@ -34,6 +34,15 @@ template <class P>
   return hit ? certain(*hit) : intersect_past_filter(probe, t);
 }
 
+template <class P>
+Answer staged_classify(const P& probe, const Triangle& t) {
+  if (!all_finite(probe, t)) return refusal(Status::nonfinite);
+  Tally tally;
+  Answer answer = classify(probe, t, FilteredKernel(&tally));
+  answer.stage = tally.deepest();
+  return answer;
+}
+
 }  // namespace
 
 bool hits_exactly(const Segment& s, const Triangle& t) { return intersect_exactly(s, t).hit; }
@@ -48,13 +57,8 @@ Answer intersect(const Query& query) {
   return std::visit([&](const auto& probe) { return staged_intersect(probe, query.triangle); }, query.probe);
 }
 
-Answer classify(const Segment& s, const Triangle& t) {
-  if (!all_finite(s, t)) return refusal(Status::nonfinite);
-  Tally tally;
-  Answer answer = classify(s, t, FilteredKernel(&tally));
-  answer.stage = tally.deepest();
-  return answer;
-}
+Answer classify(const Segment& s, const Triangle& t) { return staged_classify(s, t); }
+Answer classify(const Ray& r, const Triangle& t) { return staged_classify(r, t); }
 
 Sign compare_hits(const Ray& r, const Triangle& s, const Triangle& t) { return FilteredKernel().compare_hits(r, s, t); }
 

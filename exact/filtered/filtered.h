@@ -61,8 +61,9 @@ constexpr Answer certain(bool hit) {
   return answer;
 }
 
-/// `intersect` with the class of the five points, one of 163 (docs/formats.md). About a microsecond.
+/// `intersect` with the class: one of 163 for segments, one of 165 for rays (docs/formats.md). About a microsecond.
 Answer classify(const Segment& s, const Triangle& t);
+Answer classify(const Ray& r, const Triangle& t);
 
 /// Sign of λ₁ − λ₂, where the ray crosses the planes of s and t at o + λ₁·d and o + λ₂·d. Exact. Neither plane may be
 /// parallel to the ray.

@@ -57,7 +57,6 @@ int Coverage::judged(Format format, const SlotGroup& group, Stage stage) const {
 
 std::vector<SlotGroup> Coverage::groups(Operands operands) const {
   const std::vector<SlotGroup>& all = slot_groups(operands);
-  if (all.size() == 1) return all;
   const auto asked = [&](const SlotGroup& group, Format format) {
     return members(of(format), group, [](const Count& count) { return count.asked > 0; }) > 0;
   };
@@ -65,7 +64,7 @@ std::vector<SlotGroup> Coverage::groups(Operands operands) const {
   std::ranges::copy_if(all, std::back_inserter(named), [&](const SlotGroup& group) {
     return asked(group, Format::binary64) || asked(group, Format::binary32);
   });
-  return named;
+  return named.empty() ? std::vector{all.front()} : named;
 }
 
 std::string Coverage::to_text(const std::vector<Stage>& stages) const {
@@ -79,7 +78,7 @@ std::string Coverage::to_text(const std::vector<Stage>& stages) const {
       text += (text.empty() || text.ends_with(": ") ? "" : ", ") + std::string(name_of(format));
       std::string separator = " ";
       for (const SlotGroup& group : groups(operands)) {
-        text += separator + (operands == Operands::polygons ? group.name + " " : "");
+        text += separator + (group.name == slot_groups(Operands::triangles)[0].name ? "" : group.name + " ");
         text += text_of(*this, format, group, stages);
         separator = ", ";
       }
@@ -91,7 +90,10 @@ std::string Coverage::to_text(const std::vector<Stage>& stages) const {
 bool is_generic(ClassId id) {
   const ClassRow& row = class_row(id);
   if (row.rank < 4) return false;
-  int code = chirotope(row.representative_segment(), row.representative_triangle(), FormulaKernel<double>{}).code;
+  const auto code_of = [&](const auto& probe) {
+    return chirotope(probe, row.representative_triangle(), FormulaKernel<double>{}).code;
+  };
+  int code = std::visit(code_of, row.representative_probe());
   for (int i = 0; i < 5; ++i, code /= 3) {
     if (code % 3 == 1) return false;
   }

@@ -29,8 +29,8 @@ std::string points_of(const Probe& probe) {
 std::string describe(const Truth& truth) {
   if (truth.class_id == 0) return said(truth);
   const ClassRow& row = class_row(truth.class_id);
-  return class_name(truth.class_id) + ": " + said(truth) + "; triangle " + row.triangle + ", segment " + row.segment +
-         ", meet in: " + row.intersection;
+  return class_name(truth.class_id) + ": " + said(truth) + "; triangle " + row.triangle + ", " +
+         (is_ray_class(truth.class_id) ? "ray " : "segment ") + row.probe + ", meet in: " + row.intersection;
 }
 
 std::string describe(const PolygonTruth& truth) { return said(truth) + (truth.planar ? ", planar" : ", not planar"); }
@@ -52,7 +52,7 @@ std::string points_of(const PolygonQuery& query) {
   return text;
 }
 
-std::string id_part(const Truth& truth) { return truth.class_id == 0 ? "ray" : class_name(truth.class_id); }
+std::string id_part(const Truth& truth) { return class_name(truth.class_id); }
 
 std::string id_part(const PolygonTruth& truth) {
   return std::string(name_of(truth.contact)) + (truth.planar ? "" : "-not-planar");

@@ -27,10 +27,8 @@ Truth from_table(ClassId id) { return {id, class_row(id).contact()}; }
 
 Truth truth_by_reference(const Query& query) {
   const Method& reference = reference_method();
-  const auto* s = std::get_if<Segment>(&query.probe);
-  if (s == nullptr) return {0, reference.ask(query).contact};
-  const Answer answer = reference.classify(*s, query.triangle);
-  if (answer.class_id == 0) contradiction(query, "the reference's signs are in no class", "five points always are");
+  const Answer answer = reference.classify(query.probe, query.triangle);
+  if (answer.class_id == 0) contradiction(query, "the reference's signs are in no class", "five elements always are");
   const Truth truth = from_table(answer.class_id);
   if (truth.contact != answer.contact) {
     contradiction(query, "class " + class_name(truth.class_id) + " says " + std::string(name_of(truth.contact)),

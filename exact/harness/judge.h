@@ -8,7 +8,7 @@
 
 namespace tribunal {
 
-/// The exact answer. class_id is 0 for rays.
+/// The exact answer.
 struct Truth {
   ClassId class_id = 0;
   Contact contact = Contact::none;

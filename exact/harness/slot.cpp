@@ -10,7 +10,7 @@ namespace tribunal {
 namespace {
 
 constexpr std::size_t contact_count = 5;  ///< that an exact answer can have
-constexpr Slot first_construction = class_count + 1;
+constexpr Slot first_construction = all_class_count + 1;
 
 Slot first_outcome() { return static_cast<Slot>(first_construction + all_constructions().size()); }
 
@@ -29,7 +29,7 @@ const std::vector<PolygonTruth>& outcomes() {
   return found;
 }
 
-bool is_class(Slot slot) { return slot > 0 && slot <= class_count; }
+bool is_class(Slot slot) { return slot > 0 && slot < first_construction; }
 bool is_construction(Slot slot) { return slot >= first_construction && slot < first_outcome(); }
 bool is_outcome(Slot slot) { return slot >= first_outcome(); }
 
@@ -45,7 +45,8 @@ std::string name_of(const PolygonTruth& truth) {
   return std::string(name_of(truth.contact)) + (truth.planar ? "" : ", not planar");
 }
 
-int class_member(Slot slot) { return is_class(slot) ? slot : -1; }
+int class_member(Slot slot) { return is_class(slot) && !is_ray_class(slot) ? slot : -1; }
+int ray_class_member(Slot slot) { return is_class(slot) && is_ray_class(slot) ? slot : -1; }
 
 int shape_member(Slot slot) { return is_construction(slot) ? static_cast<int>(construction_of(slot).shape) : -1; }
 
@@ -60,14 +61,14 @@ int outcome_member(Slot slot) { return is_outcome(slot) ? slot : -1; }
 
 std::unordered_map<std::string, Slot> find_names() {
   std::unordered_map<std::string, Slot> names;
-  for (Slot slot = 0; slot < slots_of(Operands::polygons).end; ++slot) names.emplace(slot_name(slot), slot);
+  for (Slot slot = 1; slot < slots_of(Operands::polygons).end; ++slot) names.emplace(slot_name(slot), slot);
   return names;
 }
 
 }  // namespace
 
 SlotRange slots_of(Operands operands) {
-  if (operands == Operands::triangles) return {0, first_construction};
+  if (operands == Operands::triangles) return {1, first_construction};
   return {first_construction, static_cast<Slot>(first_outcome() + outcomes().size())};
 }
 
@@ -85,7 +86,7 @@ Slot slot_of(const Known& construction) { return static_cast<Slot>(first_constru
 std::string slot_name(Slot slot) {
   if (is_outcome(slot)) return name_of(outcome_of(slot));
   if (is_construction(slot)) return name_of(construction_of(slot));
-  return slot == 0 ? "ray" : class_name(static_cast<ClassId>(slot));
+  return class_name(static_cast<ClassId>(slot));
 }
 
 std::optional<Slot> slot_named(const std::string& name) {
@@ -95,16 +96,16 @@ std::optional<Slot> slot_named(const std::string& name) {
 }
 
 std::string slot_description(Slot slot) {
-  if (slot == 0) return "ray";
   if (is_construction(slot)) return "configuration / place / approach";
   if (is_outcome(slot)) return "exact contact";
   const ClassRow& row = class_row(static_cast<ClassId>(slot));
-  return "triangle " + row.triangle + ", segment " + row.segment + ", meet: " + row.intersection + " " +
-         (row.hit() ? row.touches : "");
+  return "triangle " + row.triangle + (is_ray_class(row.id) ? ", ray " : ", segment ") + row.probe +
+         ", meet: " + row.intersection + " " + (row.hit() ? row.touches : "");
 }
 
 const std::vector<SlotGroup>& slot_groups(Operands operands) {
-  static const std::vector<SlotGroup> of_triangles = {{"classes", class_count, true, class_member}};
+  static const std::vector<SlotGroup> of_triangles = {{"classes", class_count, true, class_member},
+                                                      {"ray classes", ray_class_count, true, ray_class_member}};
   static const std::vector<SlotGroup> of_polygons = {
       {"ring configurations", shape_count, false, shape_member},
       {"places x approaches", place_count * approach_count, false, place_member},
@@ -117,7 +118,7 @@ const std::vector<SlotGroup>& slot_groups(Operands operands) {
 std::vector<Slot> slots_due(Operands operands, bool aimed) {
   std::vector<Slot> due;
   for (Slot slot = slots_of(operands).first; slot < slots_of(operands).end; ++slot) {
-    if (is_class(slot) || (aimed ? is_construction(slot) : is_outcome(slot))) due.push_back(slot);
+    if (class_member(slot) >= 0 || (aimed ? is_construction(slot) : is_outcome(slot))) due.push_back(slot);
   }
   return due;
 }

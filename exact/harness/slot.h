@@ -13,7 +13,7 @@ namespace tribunal {
 /// The operands that a case is about: a triangle, or a polygon ("rings").
 enum class Operands : std::uint8_t { triangles, polygons };
 
-/// Of triangles: 0 for a ray, 1..163 for the class of a segment. Above them, of polygons: the constructions
+/// Of triangles: the class, of a segment or a ray. Above them, of polygons: the constructions
 /// (configuration × place × approach), for cases that know theirs; and the outcomes (contact, planar or not) for the
 /// others.
 using Slot = std::uint16_t;
@@ -33,7 +33,7 @@ Slot slot_of(const Truth& truth);
 Slot slot_of(const PolygonTruth& truth);
 Slot slot_of(const Known& construction);
 
-/// "ray", "C017", "comb / outer corner / through", "edge", "none, not planar".
+/// "C017", "R017", "comb / outer corner / through", "edge", "none, not planar".
 std::string slot_name(Slot slot);
 
 /// Nothing for a name that no slot has.

@@ -68,7 +68,9 @@ ClassId to_class(const Json& object, const Where& where) {
   if (!object.contains("class")) return 0;
   const std::string name = to_text(object, "class", where);
   const ClassId id = class_named(name);
-  if (id == 0) where.key("class").fail("expected a class C001 to C163, found \"" + name + "\"");
+  if (id == 0) {
+    where.key("class").fail("expected a class C001 to C163 or, of a ray, R001 to R165, found \"" + name + "\"");
+  }
   return id;
 }
 

@@ -5,6 +5,7 @@ namespace tribunal {
 
 /// data/classes163.tsv: the 163 classes of a segment and a triangle.
 extern const char* const embedded_classes163;
+extern const char* const embedded_ray_classes;
 
 /// docs/plot.py: draws the charts.
 extern const char* const embedded_plot_script;

@@ -38,7 +38,9 @@ Method sf_rational() {
   const auto with_class = [](const auto& probe, const Triangle& t, const auto& k) { return classify(probe, t, k); };
   m.segment = [decide](const Segment& s, const Triangle& t) { return over_exact_numbers(s, t, decide); };
   m.ray = [decide](const Ray& r, const Triangle& t) { return over_exact_numbers(r, t, decide); };
-  m.classify = [with_class](const Segment& s, const Triangle& t) { return over_exact_numbers(s, t, with_class); };
+  m.classify = [with_class](const Probe& probe, const Triangle& t) {
+    return std::visit([&](const auto& p) { return over_exact_numbers(p, t, with_class); }, probe);
+  };
   return m;
 }
 

@@ -18,17 +18,17 @@ struct KernelDescription {
 
 /// The answer with its class. Where a coplanar contact is a single point, the class says so, and whether the source
 /// is that point is itself a query: the source as a segment against the triangle.
-template <Kernel K>
-Answer classify(const Segment& s, const Triangle& t, const K& k) {
-  Answer answer = segura_feito(s, t, k);
-  answer.class_id = class_of(chirotope(s, t, k));
+template <Kernel K, class P>
+Answer classify(const P& probe, const Triangle& t, const K& k) {
+  Answer answer = segura_feito(probe, t, k);
+  answer.class_id = class_of(probe, t, k);
   if (answer.class_id == 0 || answer.contact != Contact::coplanar) return answer;
   const ClassRow& row = class_row(answer.class_id);
   if (row.intersection != "point") return answer;
   if (row.touches.starts_with("int")) {
     answer.at = At::between;
   } else {
-    answer.at = segura_feito(Segment{s.p, s.p}, t, k).hit ? At::source : At::target;
+    answer.at = segura_feito(Segment{source(probe), source(probe)}, t, k).hit ? At::source : At::target;
   }
   return answer;
 }
@@ -53,7 +53,10 @@ Method segura_feito_method(const KernelDescription& d, const K& k) {
           .exact = d.exact,
           .segment = [k](const Segment& s, const Triangle& t) { return segura_feito(s, t, k); },
           .ray = [k](const Ray& r, const Triangle& t) { return segura_feito(r, t, k); },
-          .classify = [k](const Segment& s, const Triangle& t) { return classify(s, t, k); },
+          .classify =
+              [k](const Probe& probe, const Triangle& t) {
+                return std::visit([&](const auto& p) { return classify(p, t, k); }, probe);
+              },
           .compare_hits = [k](const Ray& r, const Triangle& s, const Triangle& t) { return k.compare_hits(r, s, t); },
           .polygon = [k](const Polygon& polygon) { return prepare(polygon, k); }};
 }

@@ -115,7 +115,7 @@ TEST(CgalPeers, AgreeWhereTheirPreconditionsHold) {
     const Method& method = *find_method(name);
     for (const ClassRow& row : class_table()) {
       const Answer answer = method.segment(row.representative_segment(), row.representative_triangle());
-      const bool regular = row.triangle == "tri" && row.segment == "seg";
+      const bool regular = row.triangle == "tri" && row.probe == "seg";
       ASSERT_EQ(answer.status, regular ? Status::ok : Status::unsupported) << name << class_name(row.id);
       if (regular) {
         EXPECT_EQ(answer.hit, row.hit()) << name << class_name(row.id);

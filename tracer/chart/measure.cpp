@@ -71,7 +71,7 @@ void count_hits(Panel& panel, std::size_t stream, std::size_t method, const Fuzz
   report.counts.for_each([&](const Cell& cell, const Count& count) {
     if (cell.stream != stream || cell.method != method) return;
     panel.cases += count.asked;
-    if (cell.slot != 0 && class_row(static_cast<ClassId>(cell.slot)).hit()) panel.hits += count.asked;
+    if (class_row(static_cast<ClassId>(cell.slot)).hit()) panel.hits += count.asked;
   });
 }
 

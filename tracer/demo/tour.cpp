@@ -24,7 +24,7 @@ bool is_special(const Case& c) {
   if (c.class_id == 0 || !std::holds_alternative<Segment>(c.query.probe)) return true;
   const ClassRow& row = class_row(c.class_id);
   const auto is_everyday = [](double x) { return x == 0 || (std::fabs(x) > 1e-4 && std::fabs(x) < 1e4); };
-  return row.triangle != "tri" || row.segment != "seg" || row.rank < 4 ||
+  return row.triangle != "tri" || row.probe != "seg" || row.rank < 4 ||
          !std::ranges::all_of(coordinates_of(c), is_everyday);
 }
 

@@ -38,7 +38,7 @@ std::vector<Pair> with_hits(std::size_t n, int percent, const Source& source, bo
   return pairs;
 }
 
-bool is_regular(const ClassRow& row) { return row.triangle == "tri" && row.segment == "seg"; }
+bool is_regular(const ClassRow& row) { return row.triangle == "tri" && row.probe == "seg"; }
 
 /// Small integers: all five volumes are exact, and one is zero iff four of the five points are coplanar.
 bool has_zero_volume(const ClassRow& row) {
