@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "exact/classes/class_table.h"
+#include "exact/families/probe.h"
 #include "exact/families/shapes.h"
 #include "exact/families/table.h"
 
@@ -34,21 +36,26 @@ void draw_scale(AffineMap& map, Draw& draw) {
   for (int& s : map.scale) s = static_cast<int>(draw.between(-12, 12));
 }
 
+/// M·x, or M·x + o: one coordinate before it is scaled.
+std::int64_t coordinate(const AffineMap& map, std::size_t axis, const std::array<int, 3>& x, std::int64_t offset) {
+  std::int64_t sum = offset;
+  for (std::size_t j = 0; j < 3; ++j) sum += map.m[axis][j] * x[j];
+  return sum;
+}
+
 Point3 image(const AffineMap& map, const std::array<int, 3>& x) {
-  double y[3];
+  Point3 y;
   for (std::size_t i = 0; i < 3; ++i) {
-    std::int64_t sum = map.offset[i];
-    for (std::size_t j = 0; j < 3; ++j) sum += map.m[i][j] * x[j];
-    y[i] = map.scale[i] == 0 ? static_cast<double>(sum) : std::ldexp(static_cast<double>(sum), map.scale[i]);
+    const auto sum = static_cast<double>(coordinate(map, i, x, map.offset[i]));
+    y[static_cast<int>(i)] = map.scale[i] == 0 ? sum : std::ldexp(sum, map.scale[i]);
   }
-  return {y[0], y[1], y[2]};
+  return y;
 }
 
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
   Draw draw(1, seed, k);
-  const auto fills = mantissa_fills(format);
-  const std::size_t level = k / class_count % fills.size();
-  return affine_image(format, draw, k, fills[level], level);
+  const ClassTurn turn = class_turn_of(k, mantissa_fills(format).size());
+  return affine_image(format, draw, turn, mantissa_fills(format)[turn.level]);
 }
 
 }  // namespace
@@ -64,19 +71,37 @@ AffineMap draw_map(Draw& draw, int bits) {
   return map;
 }
 
-Trial image_of(ClassId id, const AffineMap& map, Format format, std::size_t level, Draw& draw) {
-  const auto& x = class_row(id).points;
-  const Triangle t{image(map, x[0]), image(map, x[1]), image(map, x[2])};
-  const Segment s{image(map, x[3]), image(map, x[4])};
-  return shuffled({.query = {s, t}, .format = format, .class_id = id, .level = static_cast<std::uint16_t>(level)},
-                  draw);
-}
-
-Trial affine_image(Format format, Draw& draw, std::uint64_t k, int bits, std::size_t level) {
+AffineMap draw_placed_map(Draw& draw, Format format, int bits) {
   AffineMap map = draw_map(draw, bits);
   draw_offset(map, draw, format, bits);
+  return map;
+}
+
+ClassTurn class_turn_of(std::uint64_t k, std::size_t levels) {
+  return {static_cast<ClassId>(1 + k % class_count), k / class_count % levels};
+}
+
+Extent extent_of(const ClassTurn& turn, const AffineMap& map, std::size_t axis) {
+  Extent extent{std::numeric_limits<std::int64_t>::max(), std::numeric_limits<std::int64_t>::min()};
+  for (const auto& x : class_row(turn.id).points) {
+    const std::int64_t y = coordinate(map, axis, x, map.offset[axis]);
+    extent = {std::min(extent.lo, y), std::max(extent.hi, y)};
+  }
+  return extent;
+}
+
+Trial image_of(const ClassTurn& turn, const AffineMap& map, Format format, Draw& draw, std::optional<int>) {
+  const auto& x = class_row(turn.id).points;
+  const Triangle t = in_random_order({image(map, x[0]), image(map, x[1]), image(map, x[2])}, draw);
+  Segment s{image(map, x[3]), image(map, x[4])};
+  if (draw.below(2) == 1) std::swap(s.p, s.q);
+  return {.query = {s, t}, .format = format, .class_id = turn.id, .level = static_cast<std::uint16_t>(turn.level)};
+}
+
+Trial affine_image(Format format, Draw& draw, const ClassTurn& turn, int bits) {
+  AffineMap map = draw_placed_map(draw, format, bits);
   draw_scale(map, draw);
-  return image_of(static_cast<ClassId>(1 + k % class_count), map, format, level, draw);
+  return image_of(turn, map, format, draw);
 }
 
 std::span<const int> mantissa_fills(Format format) {
@@ -84,7 +109,7 @@ std::span<const int> mantissa_fills(Format format) {
   return fills_64;
 }
 
-/// Case k is an image of class k mod 163, at level (k / 163) mod (number of levels): the construction is the oracle.
+/// The construction is the oracle.
 Family affine_family() {
   return {.name = "affine",
           .stresses = "exact degeneracies of all 163 classes, with growing mantissa fill",

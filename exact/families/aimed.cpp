@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "exact/families/probe.h"
 #include "exact/families/shapes.h"
 
 namespace tribunal {
@@ -47,15 +48,16 @@ Family aimed_at(std::vector<Triangle> triangles) {
   const auto mesh = std::make_shared<const std::vector<Triangle>>(std::move(triangles));
   const auto make = [mesh, extent](Format format, std::uint64_t seed, std::uint64_t k) {
     Draw draw(14, seed, k);
-    const std::size_t level = k % std::size(aims);
+    const auto [is_ray, level] = turn_of(k, std::size(aims));
     const Triangle exact = (*mesh)[draw.below(mesh->size())], other = (*mesh)[draw.below(mesh->size())];
     const Triangle t{in_format(exact.a, format), in_format(exact.b, format), in_format(exact.c, format)};
     const Point3 far = draw_point(draw, format) * extent;
-    return shuffled(unclassified(format, level, aim(level, t, other, far, draw, format), t), draw);
+    const Segment s = aim(level, t, other, far, draw, format);
+    return unclassified(format, level, draw_probe(is_ray, s, format, draw), t, draw);
   };
   return {.name = "your mesh",
           .stresses = "the triangles of a mesh of your own, met at vertices, edges and in their planes",
-          .population = "segments aimed at the triangles of your mesh",
+          .population = "segments and rays aimed at the triangles of your mesh",
           .axis =
               "(0 ends at a vertex, 1 through one, 2 through an edge, 3 through a face, 4 along an edge, "
               "5 from vertex to vertex)",

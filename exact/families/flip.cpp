@@ -1,4 +1,5 @@
 // Adjacent floats between which the answer flips.
+#include "exact/families/probe.h"
 #include "exact/families/shapes.h"
 #include "exact/families/table.h"
 #include "exact/methods.h"
@@ -11,40 +12,54 @@ constexpr int no_levels[] = {0};
 std::span<const int> levels(Format) { return no_levels; }
 
 /// A filtered exact method: the generator asks some fifty times a case. The oracles judge what comes out.
-bool hits(const Segment& s, const Triangle& t) {
+bool hits(const Query& query) {
   static const Method& exact = *find_method("sf-epick");
-  return exact.segment(s, t).hit;
+  return exact.ask(query).hit;
 }
 
-/// Moves one coordinate of the source from a hit toward a miss until they are adjacent; k even takes the hit.
+Point3& start_of(Probe& probe) {
+  if (auto* s = std::get_if<Segment>(&probe)) return s->p;
+  return std::get<Ray>(probe).o;
+}
+
+/// Moves x from a hit toward a miss until they are adjacent, and leaves it on either side.
+void bisect(const Query& query, double& x, double out, Format format, bool keep_hit) {
+  double in = x;
+  const auto hits_at = [&](double value) {
+    x = value;
+    return hits(query);
+  };
+  const bool flips = hits_at(in) && !hits_at(out);
+  for (double middle = in_format(in + (out - in) / 2, format); flips && middle != in && middle != out;
+       middle = in_format(in + (out - in) / 2, format)) {
+    (hits_at(middle) ? in : out) = middle;
+  }
+  x = keep_hit || !flips ? in : out;
+}
+
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
-  Draw draw(11, seed, k / 2);
+  Draw draw(11, seed, k);
+  const bool is_ray = turn_of(k, 1).is_ray;
   const Triangle t = draw_triangle(draw, format);
   const Point3 n = draw_point(draw, format);
   const Segment centre = through(in_format((t.a + t.b + t.c) / 3.0, format), n, n);
-  Segment s{in_format(centre.p, format), in_format(centre.q, format)};
-  const int axis = static_cast<int>(draw.below(3));
-  double in = s.p[axis];
-  double out = in + (draw.below(2) == 0 ? 8 : -8);
-  const auto at = [&](double x) {
-    s.p[axis] = x;
-    return s;
-  };
-  if (!hits(at(in), t) || hits(at(out), t)) return unclassified(format, 0, at(in), t);
-  for (double middle = in_format(in + (out - in) / 2, format); middle != in && middle != out;
-       middle = in_format(in + (out - in) / 2, format)) {
-    (hits(at(middle), t) ? in : out) = middle;
-  }
-  return unclassified(format, 0, at(k % 2 == 0 ? in : out), t);
+  const Probe probe = draw_probe(is_ray, centre, format, draw);
+  Trial trial = unclassified(format, 0, probe, t, draw);
+  double& x = start_of(trial.query.probe)[static_cast<int>(draw.below(3))];
+  const double far = draw.below(2) == 0 ? 8 : -8;
+  const bool keep_hit = draw.below(2) == 0;
+  bisect(trial.query, x, in_format(x + far, format), format, keep_hit);
+  return trial;
 }
 
 }  // namespace
 
-/// The last two neighbours before the answer flips: one coordinate of a segment bisected down to adjacent floats.
+/// One of the last two neighbours before the answer flips: a coordinate of the probe's start bisected down to adjacent
+/// floats.
 Family flip_family() {
   return {.name = "flip",
           .stresses = "adjacent floats between which the exact answer flips",
-          .population = "random triangles in [-1,1]^3, one coordinate of the segment bisected to a flip",
+          .population = "random triangles in [-1,1]^3, one coordinate of the probe's start bisected to a flip",
           .axis = "(none)",
           .proves_class = false,
           .levels = levels,

@@ -1,6 +1,7 @@
-// Segments almost in the plane.
+// Probes almost in the plane.
 #include <cmath>
 
+#include "exact/families/probe.h"
 #include "exact/families/shapes.h"
 #include "exact/families/table.h"
 
@@ -14,21 +15,21 @@ constexpr auto levels = by_format<slopes_64, slopes_32>;
 
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
   Draw draw(8, seed, k);
-  const std::size_t level = k % levels(format).size();
+  const auto [is_ray, level] = turn_of(k, levels(format).size());
   const Triangle t = draw_triangle(draw, format);
   const Point3 x = draw_in_plane(draw, format, t);
   const Point3 y = draw_in_plane(draw, format, t);
   const Point3 n = draw_point(draw, format);
   const Point3 v = 2.0 * (y - x) + std::ldexp(1.0, -levels(format)[level]) * n;
-  return shuffled(unclassified(format, level, through(x, v, v), t), draw);
+  return unclassified(format, level, draw_probe(is_ray, through(x, v, v), format, draw), t, draw);
 }
 
 }  // namespace
 
-/// Segments that leave the triangle's plane by 2^−level of their length.
+/// Probes that leave the triangle's plane by 2^−level of their length.
 Family grazing_family() {
   return {.name = "grazing",
-          .stresses = "segments almost in the plane",
+          .stresses = "probes almost in the plane",
           .population = "random triangles in [-1,1]^3 crossed at slopes of 2^-level",
           .axis = "-log2 of the slope",
           .proves_class = false,

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "exact/families/affine.h"
+#include "exact/families/probe.h"
 #include "exact/families/shapes.h"
 #include "exact/families/table.h"
 
@@ -46,8 +47,8 @@ Point3 mapped(const AffineMap& map, const std::array<int, 3>& x) {
 }
 
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
-  Draw draw(13, seed, k / 12);
-  const std::size_t level = k / 12 % levels(format).size();
+  Draw draw(13, seed, k);
+  const auto [is_ray, level] = turn_of(k, levels(format).size());
   const AffineMap map = draw_map(draw, levels(format)[level]);
   const Solid& shape = solid(draw.below(2) == 0);
   const auto vertex = [&](std::size_t i) { return mapped(map, shape.vertices[i]); };
@@ -56,18 +57,19 @@ Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
   const Point3 at = vertex(face[corner]), next = vertex(face[(corner + 1) % 3]);
   const Point3 target = draw.below(2) == 0 ? at : (at + next) * 0.5;
   const Segment s = through_exactly(target, draw_lattice_point(draw, levels(format)[level], 1));
-  const auto& asked = shape.faces[k % 12 % shape.faces.size()];
-  return unclassified(format, level, s, {vertex(asked[0]), vertex(asked[1]), vertex(asked[2])});
+  const auto& asked = shape.faces[draw.below(shape.faces.size())];
+  const Triangle t{vertex(asked[0]), vertex(asked[1]), vertex(asked[2])};
+  return unclassified(format, level, draw_probe(is_ray, s, format, draw), t, draw);
 }
 
 }  // namespace
 
-/// A closed mesh (octahedron or cube under an integer map of `level` bits) and a segment aimed exactly at one of its
-/// vertices or edge midpoints. Case k asks face k mod 12 (8 and 12 faces; the octahedron's are asked again).
+/// A closed mesh (octahedron or cube under an integer map of `level` bits) and a probe aimed exactly at one of its
+/// vertices or edge midpoints. Each case draws its own map, its own aim and one of the faces.
 Family mesh_family() {
   return {.name = "mesh",
           .stresses = "closed meshes, met exactly at vertices and edge midpoints",
-          .population = "integer images of an octahedron and a cube, segments aimed at vertices and edge midpoints",
+          .population = "integer images of an octahedron and a cube, probes aimed at vertices and edge midpoints",
           .axis = "bits of the map's entries",
           .proves_class = false,
           .levels = levels,

@@ -1,4 +1,5 @@
 // Almost collinear and almost equal vertices.
+#include "exact/families/probe.h"
 #include "exact/families/shapes.h"
 #include "exact/families/table.h"
 #include "exact/families/ulp.h"
@@ -12,7 +13,7 @@ std::span<const int> levels(Format) { return steps; }
 
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
   Draw draw(10, seed, k);
-  const std::size_t level = k % levels(format).size();
+  const auto [is_ray, level] = turn_of(k, levels(format).size());
   Triangle t = draw_triangle(draw, format);
   const double along = draw_real(draw, format);
   if (draw.below(2) == 0)
@@ -25,7 +26,7 @@ Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
   }
   const Point3 x = draw_in_plane(draw, format, t);
   const Point3 n = draw_point(draw, format);
-  return shuffled(unclassified(format, level, through(x, n, n), t), draw);
+  return unclassified(format, level, draw_probe(is_ray, through(x, n, n), format, draw), t, draw);
 }
 
 }  // namespace

@@ -1,5 +1,4 @@
 // Class representatives, far from the origin.
-#include "exact/classes/class_table.h"
 #include "exact/families/affine.h"
 #include "exact/families/shapes.h"
 #include "exact/families/table.h"
@@ -15,11 +14,11 @@ constexpr auto levels = by_format<offsets_64, offsets_32>;
 /// Entries of at most digits − 5 bits leave 2^digits − 7·2^bits ≥ 2^(digits−1) of room: more than any level.
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
   Draw draw(3, seed, k);
-  const std::size_t level = k / class_count % levels(format).size();
+  const ClassTurn turn = class_turn_of(k, levels(format).size());
   AffineMap map = draw_map(draw, static_cast<int>(draw.between(0, digits_of(format) - 5)));
-  const std::int64_t far = std::int64_t{1} << levels(format)[level];
+  const std::int64_t far = std::int64_t{1} << levels(format)[turn.level];
   for (std::int64_t& o : map.offset) o = draw.below(2) == 0 ? far : -far;
-  return image_of(static_cast<ClassId>(1 + k % class_count), map, format, level, draw);
+  return image_of(turn, map, format, draw);
 }
 
 }  // namespace

@@ -1,5 +1,4 @@
 // Class representatives at every scale that the format has.
-#include "exact/classes/class_table.h"
 #include "exact/families/affine.h"
 #include "exact/families/shapes.h"
 #include "exact/families/table.h"
@@ -17,17 +16,19 @@ constexpr auto levels = by_format<scales_64, scales_32>;
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
   Draw draw(4, seed, k);
   const auto scales = levels(format);
-  const std::size_t level = k / class_count % scales.size();
+  const ClassTurn turn = class_turn_of(k, scales.size());
   AffineMap map = draw_map(draw, 0);
   const bool per_axis = draw.below(2) == 0;
-  for (int& s : map.scale) s = scales[per_axis ? draw.below(scales.size()) : level];
-  return image_of(static_cast<ClassId>(1 + k % class_count), map, format, level, draw);
+  for (int& s : map.scale) {
+    s = per_axis ? static_cast<int>(draw.between(scales.front(), scales.back())) : scales[turn.level];
+  }
+  return image_of(turn, map, format, draw);
 }
 
 }  // namespace
 
 /// Class representatives scaled by 2^level, from the least subnormal to the largest finite numbers; half of the cases
-/// scale each axis by a level of its own.
+/// scale each axis by any power of its own.
 Family scale_family() {
   return {.name = "scale",
           .stresses = "underflow and overflow: all 163 classes from subnormals to the largest numbers",

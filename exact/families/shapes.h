@@ -11,6 +11,11 @@ namespace tribunal {
 
 constexpr int digits_of(Format format) { return format == Format::binary32 ? 24 : 53; }
 
+/// Of the least subnormal number and of the largest binade: every number of the format is a multiple of the first power
+/// of two and less than twice the second.
+constexpr int least_exponent(Format format) { return format == Format::binary32 ? -149 : -1074; }
+constexpr int largest_exponent(Format format) { return format == Format::binary32 ? 127 : 1023; }
+
 /// The levels of a stress axis in each format.
 template <auto& wide, auto& narrow>
 std::span<const int> by_format(Format format) {
@@ -65,24 +70,5 @@ inline Segment through(const Point3& x, const Point3& v, const Point3& w) { retu
 
 /// Through x exactly, where x ± v are integers that the format holds.
 inline Segment through_exactly(const Point3& x, const Point3& v) { return {x + v, x - v}; }
-
-/// The trial with its vertices in a random order and its segment in a random direction. Keeps the class.
-inline Trial shuffled(Trial trial, Draw& draw) {
-  Triangle& t = trial.query.triangle;
-  const std::uint64_t turn = draw.below(6);
-  if (turn % 2 == 1) std::swap(t.a, t.b);
-  if (turn / 2 == 1) std::swap(t.a, t.c);
-  if (turn / 2 == 2) std::swap(t.b, t.c);
-  Segment& s = std::get<Segment>(trial.query.probe);
-  if (draw.below(2) == 1) std::swap(s.p, s.q);
-  return trial;
-}
-
-/// A trial whose class only an oracle can say.
-inline Trial unclassified(Format format, std::size_t level, const Segment& s, const Triangle& t) {
-  const Segment fitted{in_format(s.p, format), in_format(s.q, format)};
-  const Triangle placed{in_format(t.a, format), in_format(t.b, format), in_format(t.c, format)};
-  return {.query = {fitted, placed}, .format = format, .class_id = 0, .level = static_cast<std::uint16_t>(level)};
-}
 
 }  // namespace tribunal

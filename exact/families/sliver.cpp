@@ -1,6 +1,7 @@
 // Needle-thin triangles.
 #include <cmath>
 
+#include "exact/families/probe.h"
 #include "exact/families/shapes.h"
 #include "exact/families/table.h"
 
@@ -14,18 +15,18 @@ constexpr auto levels = by_format<aspects_64, aspects_32>;
 
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
   Draw draw(7, seed, k);
-  const std::size_t level = k % levels(format).size();
+  const auto [is_ray, level] = turn_of(k, levels(format).size());
   Triangle t = draw_triangle(draw, format);
   const double along = 0.5 + 0.5 * draw_real(draw, format);
   t.c = in_format(t.a + along * (t.b - t.a) + std::ldexp(1.0, -levels(format)[level]) * t.c, format);
   const Point3 x = draw_in_plane(draw, format, t);
   const Point3 n = draw_point(draw, format);
-  return shuffled(unclassified(format, level, through(x, n, n), t), draw);
+  return unclassified(format, level, draw_probe(is_ray, through(x, n, n), format, draw), t, draw);
 }
 
 }  // namespace
 
-/// Triangles whose height is 2^−level of their length, with a segment through a rounded point of them.
+/// Triangles whose height is 2^−level of their length, with a probe through a rounded point of them.
 Family sliver_family() {
   return {.name = "sliver",
           .stresses = "needle-thin triangles",

@@ -19,5 +19,9 @@ Family flip_family();
 Family shared_family();
 Family mesh_family();
 Family tilt_family();
+Family spread_family();
+Family extreme_family();
+Family overflow_family();
+Family direction_family();
 
 }  // namespace tribunal

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "exact/classes/class_table.h"
 #include "exact/families/affine.h"
+#include "exact/families/query_vectors.h"
 #include "exact/families/shapes.h"
 #include "exact/families/table.h"
 
@@ -30,21 +30,14 @@ Float moved(Float x, std::int64_t n) {
   return std::bit_cast<Float>(static_cast<Int>(goal < 0 ? lowest - goal : goal));
 }
 
-Point3& vertex(Trial& trial, std::uint64_t i) {
-  Segment& s = std::get<Segment>(trial.query.probe);
-  Triangle& t = trial.query.triangle;
-  Point3* const all[] = {&t.a, &t.b, &t.c, &s.p, &s.q};
-  return *all[i];
-}
-
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
   Draw draw(2, seed, k);
-  const std::size_t level = k / class_count % steps(format).size();
+  const ClassTurn turn = class_turn_of(k, steps(format).size());
   const int bits = mantissa_fills(format)[draw.below(mantissa_fills(format).size())];
-  Trial trial = affine_image(format, draw, k, bits, level);
+  Trial trial = affine_image(format, draw, turn, bits);
   trial.class_id = 0;
-  const std::int64_t step = steps(format)[level];
-  Point3& v = vertex(trial, draw.below(5));
+  const std::int64_t step = steps(format)[turn.level];
+  Point3& v = *vectors_of(trial.query).v[draw.below(5)];
   const std::uint64_t only_axis = draw.below(6);
   for (int axis = 0; axis < 3; ++axis) {
     const std::int64_t n = draw.below(2) == 0 ? step : -step;
@@ -61,8 +54,8 @@ double moved_by_ulps(double x, std::int64_t n, Format format) {
   return static_cast<double>(moved<float, std::int32_t>(static_cast<float>(x), n));
 }
 
-/// An affine image of class k mod 163 with one coordinate, or all three of one vertex, moved by ±level units in the
-/// last place; sometimes a zero gets a minus sign. The class is that of the moved points: an oracle must say it.
+/// An affine image of a class representative with one coordinate, or all three of one vertex, moved by ±level units in
+/// the last place; sometimes a zero gets a minus sign. The class is that of the moved points: an oracle must say it.
 Family ulp_family() {
   return {.name = "ulp",
           .stresses = "near-degeneracy: one vertex some ulps off an exact degeneracy",

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "exact/harness/query_vectors.h"
+#include "exact/families/query_vectors.h"
 
 namespace tribunal {
 namespace {

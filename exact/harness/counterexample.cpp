@@ -6,6 +6,7 @@
 #include "exact/classes/class_table.h"
 #include "exact/harness/describe.h"
 #include "exact/harness/environment.h"
+#include "exact/harness/fp_environment.h"
 #include "exact/harness/shrink.h"
 #include "exact/io/failure.h"
 #include "exact/methods.h"
@@ -18,6 +19,7 @@ namespace {
 template <class Q, class T>
 auto answer_in_contract(const Method& method, Format format, const Q& query, const T& truth) {
   auto answer = within_contract(method, truth, method.ask(query));
+  require_exact_rounding();  // another environment, left behind by one method, would spoil the next one's answer
   if (!takes(method, format)) answer = {refusal(Status::unsupported)};
   return answer;
 }
@@ -56,6 +58,7 @@ std::string row(const std::string& a, const std::string& b, const std::string& c
 template <class C, class T>
 std::string verdict_of(const Method& method, const C& c, const T& truth, bool& wrong) {
   const auto given = method.ask(c.query);
+  require_exact_rounding();
   const Answer answer = plain(given);
   if (answer.status != Status::ok) return row(method.name, "-", "", std::string(name_of(answer.status)));
   const auto says = [&](const char* verdict) {

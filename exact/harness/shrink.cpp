@@ -11,7 +11,7 @@
 #include "exact/families/axis_maps.h"
 #include "exact/harness/affine_frame.h"
 #include "exact/harness/coordinate_rules.h"
-#include "exact/harness/query_vectors.h"
+#include "exact/families/query_vectors.h"
 
 namespace tribunal {
 namespace {

@@ -29,6 +29,12 @@ struct Table {
   PointColumns columns() const { return {x, y, z}; }
 };
 
+/// Source and target; a ray's direction is taken for a point, and back again for the ray that is asked.
+Segment ends_of(const Probe& probe) {
+  if (const auto* r = std::get_if<Ray>(&probe)) return {r->o, r->d.v};
+  return std::get<Segment>(probe);
+}
+
 struct Corpus {
   std::vector<Query> segments, rays;
   Table p, q, d, a, b, c;
@@ -57,7 +63,7 @@ const Corpus& corpus() {
       for (const Format format : {Format::binary32, Format::binary64}) {
         for (std::uint64_t k = 0; k < 500; ++k) {
           const Query q = family.make(format, 14, k).query;
-          c.add(std::get<Segment>(q.probe), q.triangle);
+          c.add(ends_of(q.probe), q.triangle);
         }
       }
     }

@@ -1,10 +1,12 @@
 // Families, judge, fuzz, shrink and certificate: what they find, and that they find what is planted.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "exact/certificate/bounds.h"
 #include "exact/classes/class_table.h"
+#include "exact/families/query_vectors.h"
 #include "exact/families/table.h"
 #include "exact/families/ulp.h"
 #include "exact/harness/counterexample.h"
@@ -22,11 +24,9 @@ bool fits(const Point3& p, Format format) {
   return exact(p.x) && exact(p.y) && exact(p.z);
 }
 
-bool fits(const Trial& trial) {
-  const Segment& s = std::get<Segment>(trial.query.probe);
-  const Triangle& t = trial.query.triangle;
-  return fits(s.p, trial.format) && fits(s.q, trial.format) && fits(t.a, trial.format) && fits(t.b, trial.format) &&
-         fits(t.c, trial.format);
+bool fits(Trial trial) {
+  const auto vectors = vectors_of(trial.query).v;
+  return std::ranges::all_of(vectors, [&](const Point3* v) { return fits(*v, trial.format); });
 }
 
 /// g++ 12.2 at -O2 loses the rounding of neighbours in a plain (double)(float)x.

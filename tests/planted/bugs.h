@@ -29,17 +29,25 @@ std::vector<Method> jimenez_bugs();
 std::vector<Method> filter_bugs();
 std::vector<Method> contraction_bugs();
 std::vector<Method> cgal_bugs();
+std::vector<Method> range_bugs();
+std::vector<Method> ray_bugs();
 
 Method sound_jimenez();
 Method sound_filter();
 Method sound_expansion();
+Method sound_ray();
 
-using Decision = Answer (*)(const Segment&, const Triangle&);
+using Decision = std::function<Answer(const Segment&, const Triangle&)>;
+using RayDecision = std::function<Answer(const Ray&, const Triangle&)>;
 
-/// A method that claims to be exact on segments, and takes no rays.
-Method method(const char* name, const char* what, std::function<Answer(const Segment&, const Triangle&)> decide);
+/// A method that claims to be exact on segments, and takes no rays unless it is given a decision about them.
+Method method(const char* name, const char* what, Decision decide, RayDecision decide_ray = {});
+
+/// A method that claims to be exact, and is on segments.
+Method ray_method(const char* name, const char* what, RayDecision decide);
 
 /// Segura–Feito on EPICK, where a bug does not matter.
 Answer right(const Segment& s, const Triangle& t);
+Answer right_of_ray(const Ray& r, const Triangle& t);
 
 }  // namespace tribunal::planted

@@ -89,12 +89,17 @@ Answer tie_per_edge(const Segment& s, const Triangle& t) {
   });
 }
 
-Answer segment_as_ray(const Segment& s, const Triangle& t) { return segura_feito(Ray{s.p, {s.q - s.p}}, t, exact); }
+/// From source to target, in halves where the whole would overflow.
+Point3 along(const Segment& s) {
+  const Point3 d = s.q - s.p;
+  return is_finite(d) ? d : s.q * 0.5 - s.p * 0.5;
+}
+
+Answer segment_as_ray(const Segment& s, const Triangle& t) { return segura_feito(Ray{s.p, {along(s)}}, t, exact); }
 
 Answer segment_as_line(const Segment& s, const Triangle& t) {
-  const Point3 d = s.q * 0.5 - s.p * 0.5;  // halves, so that no difference overflows
-  const Answer ahead = segura_feito(Ray{s.p, {d}}, t, exact);
-  return ahead.hit ? ahead : segura_feito(Ray{s.p, {-d}}, t, exact);
+  const Answer ahead = segment_as_ray(s, t);
+  return ahead.hit ? ahead : segura_feito(Ray{s.p, {-along(s)}}, t, exact);
 }
 
 }  // namespace

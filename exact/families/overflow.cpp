@@ -1,0 +1,56 @@
+// Differences that overflow.
+#include <algorithm>
+#include <bit>
+
+#include "exact/families/affine.h"
+#include "exact/families/probe.h"
+#include "exact/families/shapes.h"
+#include "exact/families/table.h"
+
+namespace tribunal {
+namespace {
+
+constexpr int axis_counts[] = {1, 2, 3};
+
+std::span<const int> levels(Format) { return axis_counts; }
+
+/// Centres the points on one axis about zero and scales them until the farthest is in the last binade: points on both
+/// sides of zero are then farther apart than the largest number.
+void stretch(AffineMap& map, std::size_t axis, const ClassTurn& turn, Format format) {
+  for (std::int64_t& entry : map.m[axis]) entry *= 2;
+  map.offset[axis] = 0;
+  const auto [lo, hi] = extent_of(turn, map, axis);
+  map.offset[axis] = -(lo + (hi - lo) / 2);
+  const auto radius = static_cast<std::uint64_t>((hi - lo) / 2);
+  map.scale[axis] = largest_exponent(format) + 1 - std::max(1, static_cast<int>(std::bit_width(radius)));
+}
+
+Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
+  constexpr int room = 8;  ///< binades that a direction may be larger than the points, and smaller than the least
+  Draw draw(18, seed, k);
+  const ClassTurn turn = class_turn_of(k, std::size(axis_counts));
+  AffineMap map = draw_placed_map(draw, format, static_cast<int>(draw.between(0, digits_of(format) - 4)));
+  const std::uint64_t first = draw.below(3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t axis = (first + i) % 3;
+    map.scale[axis] = static_cast<int>(draw.between(least_exponent(format) + room, 0));
+    if (i <= turn.level) stretch(map, axis, turn, format);
+  }
+  return image_of(turn, map, format, draw);
+}
+
+}  // namespace
+
+/// Class representatives under integer maps, stretched on `level` axes until differences of finite coordinates are
+/// infinite; the other axes at any scale from the least up to that of integers.
+Family overflow_family() {
+  return {.name = "overflow",
+          .stresses = "finite coordinates whose differences overflow: all classes",
+          .population = "exact affine images of the class representatives, stretched about zero to the last binade",
+          .axis = "axes on which differences overflow",
+          .proves_class = true,
+          .levels = levels,
+          .make = make};
+}
+
+}  // namespace tribunal
