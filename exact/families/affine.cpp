@@ -52,6 +52,32 @@ Point3 image(const AffineMap& map, const std::array<int, 3>& x) {
   return y;
 }
 
+constexpr std::uint64_t ray_class_count = class_count;
+
+/// a, b, c, and p, q of a segment or o, d of a ray.
+using Representative = std::array<std::array<int, 3>, 5>;
+
+Representative representative(const ClassTurn& turn) {
+  Representative x = class_row(turn.id).points;
+  if (turn.is_ray) {
+    for (std::size_t i = 0; i < 3; ++i) x[4][i] -= x[3][i];
+  }
+  return x;
+}
+
+Segment segment_image(const AffineMap& map, const Representative& x, Draw& draw) {
+  const Segment s{image(map, x[3]), image(map, x[4])};
+  return draw.below(2) == 0 ? s : Segment{s.q, s.p};
+}
+
+/// The direction has no offset, and may be larger than doubles go until it is scaled.
+Ray ray_image(const AffineMap& map, const Representative& x, Format format, Draw& draw,
+              std::optional<int> direction_scale) {
+  std::array<Scaled, 3> d;
+  for (std::size_t i = 0; i < 3; ++i) d[i] = {coordinate(map, i, x[4], 0), map.scale[i]};
+  return {image(map, x[3]), direction_scale ? scaled(d, *direction_scale) : draw_direction(d, format, draw)};
+}
+
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
   Draw draw(1, seed, k);
   const ClassTurn turn = class_turn_of(k, mantissa_fills(format).size());
@@ -78,24 +104,34 @@ AffineMap draw_placed_map(Draw& draw, Format format, int bits) {
 }
 
 ClassTurn class_turn_of(std::uint64_t k, std::size_t levels) {
-  return {static_cast<ClassId>(1 + k % class_count), k / class_count % levels};
+  const std::uint64_t all = class_count + ray_class_count;
+  const std::uint64_t i = k % all;
+  const bool is_ray = i >= class_count;
+  return {is_ray, static_cast<ClassId>(1 + (is_ray ? i - class_count : i)), k / all % levels};
+}
+
+std::uint64_t segment_case(std::uint64_t k) {
+  return k / class_count * (class_count + ray_class_count) + k % class_count;
 }
 
 Extent extent_of(const ClassTurn& turn, const AffineMap& map, std::size_t axis) {
+  const Representative x = representative(turn);
   Extent extent{std::numeric_limits<std::int64_t>::max(), std::numeric_limits<std::int64_t>::min()};
-  for (const auto& x : class_row(turn.id).points) {
-    const std::int64_t y = coordinate(map, axis, x, map.offset[axis]);
+  for (std::size_t i = 0; i < (turn.is_ray ? 4 : 5); ++i) {
+    const std::int64_t y = coordinate(map, axis, x[i], map.offset[axis]);
     extent = {std::min(extent.lo, y), std::max(extent.hi, y)};
   }
   return extent;
 }
 
-Trial image_of(const ClassTurn& turn, const AffineMap& map, Format format, Draw& draw, std::optional<int>) {
-  const auto& x = class_row(turn.id).points;
+Trial image_of(const ClassTurn& turn, const AffineMap& map, Format format, Draw& draw,
+               std::optional<int> direction_scale) {
+  const Representative x = representative(turn);
   const Triangle t = in_random_order({image(map, x[0]), image(map, x[1]), image(map, x[2])}, draw);
-  Segment s{image(map, x[3]), image(map, x[4])};
-  if (draw.below(2) == 1) std::swap(s.p, s.q);
-  return {.query = {s, t}, .format = format, .class_id = turn.id, .level = static_cast<std::uint16_t>(turn.level)};
+  const Probe probe =
+      turn.is_ray ? Probe(ray_image(map, x, format, draw, direction_scale)) : Probe(segment_image(map, x, draw));
+  const ClassId id = turn.is_ray ? 0 : turn.id;
+  return {.query = {probe, t}, .format = format, .class_id = id, .level = static_cast<std::uint16_t>(turn.level)};
 }
 
 Trial affine_image(Format format, Draw& draw, const ClassTurn& turn, int bits) {

@@ -28,11 +28,15 @@ AffineMap draw_placed_map(Draw& draw, Format format, int bits);
 /// The rule of the families that aim at classes: case after case takes the next class, of segments and then of rays,
 /// and each level of the stress axis takes all of them before the next level's turn.
 struct ClassTurn {
+  bool is_ray;
   ClassId id;
   std::size_t level;
 };
 
 ClassTurn class_turn_of(std::uint64_t k, std::size_t levels);
+
+/// The number of the k-th case that asks a segment.
+std::uint64_t segment_case(std::uint64_t k);
 
 /// The least and the largest coordinate on one axis of M·x + o, for the points x of the class representative.
 struct Extent {

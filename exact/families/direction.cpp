@@ -9,7 +9,8 @@
 namespace tribunal {
 namespace {
 
-constexpr int ratios_64[] = {-2000, -1500, -1074, -800, -600, -400, -200, -60, 0, 60, 200, 400, 600, 1000, 1500, 2000};
+constexpr int ratios_64[] = {-2000, -1500, -1100, -900, -800, -700, -600, -400, -200,
+                             -60,   0,     60,    200,  400,  600,  1000, 1500, 2000};
 constexpr int ratios_32[] = {-240, -180, -140, -100, -50, -20, 0, 20, 50, 100, 180, 240};
 
 constexpr auto levels = by_format<ratios_64, ratios_32>;
@@ -21,13 +22,15 @@ int draw_ratio(Draw& draw, Format format, int level) {
 }
 
 /// Of the geometry: any for which it and the direction exist; or, every other time, one at which a volume, two lengths
-/// times the direction, is about as small as the least number of the format or as large as the largest.
+/// times the direction, is below the least number of the format, or above the largest, by a little or by much.
 int draw_scale(Draw& draw, Format format, int bits, int ratio) {
   const int lowest = least_exponent(format), highest = largest_exponent(format) - bits - image_bits;
   const int lo = std::max(lowest, lowest - ratio), hi = std::min(highest, highest - ratio);
   const auto any = static_cast<int>(draw.between(lo, hi));
-  const int end = draw.below(2) == 0 ? lowest : largest_exponent(format);
-  const int critical = (end - ratio) / 3 - bits + static_cast<int>(draw.between(-digits_of(format) / 3, bits));
+  const bool below = draw.below(2) == 0;
+  const int end = below ? lowest : largest_exponent(format);
+  const auto beyond = static_cast<int>(draw.between(-4, digits_of(format)));
+  const int critical = (end - ratio) / 3 - bits - 2 + (below ? -beyond : beyond);
   return draw.below(2) == 0 ? any : std::clamp(critical, lo, hi);
 }
 

@@ -23,23 +23,35 @@ Point3 draw_reach(Draw& draw, Format format, int level) {
   return n;
 }
 
+/// Multiples of 2^(2 − digits) below 1: sums of two are exact.
+Point3 draw_coarse_point(Draw& draw, Format format) {
+  const int bits = digits_of(format) - 2;
+  return std::ldexp(1.0, -bits) * draw_lattice_point(draw, bits, 1);
+}
+
+/// The origin is a vertex, or on an edge, or inside, exactly.
+Triangle draw_about_origin(Draw& draw, Format format) {
+  const Point3 a = draw_coarse_point(draw, format), b = draw_coarse_point(draw, format);
+  const std::uint64_t place = draw.below(3);
+  if (place == 0) return {Point3(0), a, b};
+  if (place == 1) return {a, -0.5 * a, b};
+  return {a, b, -(a + b)};
+}
+
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
   Draw draw(9, seed, k);
   const auto [is_ray, level] = turn_of(k, levels(format).size());
-  Triangle t = draw_triangle(draw, format);
-  Point3 x = draw_in_plane(draw, format, t);
-  if (draw.below(2) == 0) {
-    t = {t.a - x, t.b - x, t.c - x};
-    x = Point3(0);
-  }
+  const bool about_origin = draw.below(2) == 0;
+  const Triangle t = about_origin ? draw_about_origin(draw, format) : draw_triangle(draw, format);
+  const Point3 x = about_origin ? Point3(0) : draw_in_plane(draw, format, t);
   const Point3 n = draw_reach(draw, format, levels(format)[level]);
   return unclassified(format, level, draw_probe(is_ray, through(x, n, n), format, draw), t, draw);
 }
 
 }  // namespace
 
-/// Probes whose ends are 2^level triangle sizes away. Half of the triangles are moved so that the point aimed at is
-/// the origin: then the probe runs through it exactly, however long or short it is.
+/// Probes whose ends are 2^level triangle sizes away. Half of them aim at the origin, which is then a point of the
+/// triangle: such a probe meets it there, exactly, however long or short it is.
 Family distance_family() {
   return {.name = "distance",
           .stresses = "probes far longer or far shorter than the triangle",

@@ -9,8 +9,8 @@ namespace {
 
 /// Of integers of 40 to 53 bits (binary32: 11 to 24): where they, their squares or their cubes meet an end of the
 /// range.
-constexpr int scales_64[] = {-1074, -1050, -1022, -586, -537, -400, -358, 230, 289, 459, 600, 970};
-constexpr int scales_32[] = {-149, -137, -126, -84, -74, -57, -50, 19, 27, 40, 60, 103};
+constexpr int scales_64[] = {-1074, -1066, -1050, -1022, -586, -537, -400, -358, 230, 289, 459, 600, 970};
+constexpr int scales_32[] = {-149, -144, -137, -126, -84, -74, -57, -50, 19, 27, 40, 60, 103};
 
 constexpr auto levels = by_format<scales_64, scales_32>;
 
@@ -21,16 +21,15 @@ Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
   AffineMap map =
       draw_placed_map(draw, format, static_cast<int>(draw.between(digits_of(format) - 13, digits_of(format) - 3)));
   const bool per_axis = draw.below(2) == 0;
-  for (int& s : map.scale) {
-    s = per_axis ? static_cast<int>(draw.between(scales.front(), scales.back())) : scales[turn.level];
-  }
+  for (int& s : map.scale) s = per_axis ? draw_near_levels(draw, scales) : scales[turn.level];
   return image_of(turn, map, format, draw);
 }
 
 }  // namespace
 
 /// Class representatives under integer maps that fill the significand, times 2^level: a subnormal stands beside a
-/// normal number, or a square overflows where its factors do not. Half of the cases scale each axis by any power.
+/// normal number, or a square overflows where its factors do not. Half of the cases scale each axis by a
+/// power of its own.
 Family extreme_family() {
   return {.name = "extreme",
           .stresses = "full mantissas at the ends of the range, subnormals beside normal numbers: all classes",

@@ -9,9 +9,10 @@ namespace tribunal {
 
 std::span<const Family> all_families() {
   static const std::array table = {
-      affine_family(), ulp_family(),     offset_family(),   scale_family(),   zeros_family(),    midpoint_family(),
-      sliver_family(), grazing_family(), distance_family(), near_family(),    flip_family(),     shared_family(),
-      mesh_family(),   tilt_family(),    spread_family(),   extreme_family(), overflow_family(), direction_family(),
+      affine_family(),   ulp_family(),      offset_family(),    scale_family(),    zeros_family(),
+      midpoint_family(), sliver_family(),   grazing_family(),   distance_family(), near_family(),
+      flip_family(),     shared_family(),   mesh_family(),      tilt_family(),     spread_family(),
+      extreme_family(),  overflow_family(), direction_family(), size_family(),
   };
   return table;
 }

@@ -26,14 +26,14 @@ void stretch(AffineMap& map, std::size_t axis, const ClassTurn& turn, Format for
 }
 
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
-  constexpr int room = 8;  ///< binades that a direction may be larger than the points, and smaller than the least
   Draw draw(18, seed, k);
   const ClassTurn turn = class_turn_of(k, std::size(axis_counts));
   AffineMap map = draw_placed_map(draw, format, static_cast<int>(draw.between(0, digits_of(format) - 4)));
+  const int lowest = least_exponent(format) + digits_of(format) + image_bits;
   const std::uint64_t first = draw.below(3);
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t axis = (first + i) % 3;
-    map.scale[axis] = static_cast<int>(draw.between(least_exponent(format) + room, 0));
+    map.scale[axis] = static_cast<int>(draw.between(lowest, 0));
     if (i <= turn.level) stretch(map, axis, turn, format);
   }
   return image_of(turn, map, format, draw);
@@ -42,7 +42,8 @@ Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
 }  // namespace
 
 /// Class representatives under integer maps, stretched on `level` axes until differences of finite coordinates are
-/// infinite; the other axes at any scale from the least up to that of integers.
+/// infinite; the other axes at any scale up to that of integers, and not so small that a ray's direction, which may be
+/// longer than all the geometry, finds no power of two that all its coordinates survive.
 Family overflow_family() {
   return {.name = "overflow",
           .stresses = "finite coordinates whose differences overflow: all classes",

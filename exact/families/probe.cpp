@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <stdexcept>
 
 #include "exact/families/shapes.h"
 
@@ -83,7 +84,9 @@ Direction scaled(const std::array<Scaled, 3>& d, int e) {
 
 Direction draw_direction(const std::array<Scaled, 3>& d, Format format, Draw& draw) {
   if (is_zero(d)) return draw_nowhere(draw);
-  const ExponentRange range = draw_range(exact_exponents(d, format), format, draw);
+  const ExponentRange all = exact_exponents(d, format);
+  if (all.lo > all.hi) throw std::logic_error("a direction wider than its format");
+  const ExponentRange range = draw_range(all, format, draw);
   return scaled(d, static_cast<int>(draw.between(range.lo, range.hi)));
 }
 

@@ -19,9 +19,7 @@ Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
   const ClassTurn turn = class_turn_of(k, scales.size());
   AffineMap map = draw_map(draw, 0);
   const bool per_axis = draw.below(2) == 0;
-  for (int& s : map.scale) {
-    s = per_axis ? static_cast<int>(draw.between(scales.front(), scales.back())) : scales[turn.level];
-  }
+  for (int& s : map.scale) s = per_axis ? draw_near_levels(draw, scales) : scales[turn.level];
   return image_of(turn, map, format, draw);
 }
 

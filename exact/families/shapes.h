@@ -28,6 +28,13 @@ inline constexpr int lattice_bits_64[] = {4, 12, 20, 30, 40, 48};
 inline constexpr int lattice_bits_32[] = {4, 8, 12, 16, 19};
 inline constexpr auto lattice_bits = by_format<lattice_bits_64, lattice_bits_32>;
 
+/// One of the levels, or, every other time, any number from the first to the last.
+inline int draw_near_levels(Draw& draw, std::span<const int> levels) {
+  const bool exactly = draw.below(2) == 0;
+  if (exactly) return levels[draw.below(levels.size())];
+  return static_cast<int>(draw.between(levels.front(), levels.back()));
+}
+
 /// Uniform in [−1, 1] with a full significand of the format.
 inline double draw_real(Draw& draw, Format format) {
   const int digits = digits_of(format);

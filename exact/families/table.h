@@ -23,5 +23,6 @@ Family spread_family();
 Family extreme_family();
 Family overflow_family();
 Family direction_family();
+Family size_family();
 
 }  // namespace tribunal

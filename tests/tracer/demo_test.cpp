@@ -112,7 +112,9 @@ TEST(Page, NamesTheSignThatDoublePrecisionGetsWrong) {
 TEST(Tour, PicksTheShortestCounterexampleInGeneralPlace) {
   Case flat = counterexample("flat", {0, 0, 0});
   flat.class_id = 100;  // all in one plane
-  const std::vector<Case> cases{flat, counterexample("long", {0.1, 0x1.fffffffffffffp-2, 1e-45}),
+  Case ray = counterexample("ray", below_half);
+  ray.query.probe = Ray{{0, 0, 0}, {{1, 1, 1}}};
+  const std::vector<Case> cases{ray, flat, counterexample("long", {0.1, 0x1.fffffffffffffp-2, 1e-45}),
                                 counterexample("short", below_half)};
   EXPECT_EQ(plainest(cases).id, "short");
 }

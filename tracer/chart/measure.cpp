@@ -94,7 +94,7 @@ void measure_populations(const ChartPlan& plan, Chart& chart) {
 }
 
 void measure_onset(const ChartPlan& plan, Chart& chart) {
-  const Family& affine = *find_family("affine");
+  const Family affine = segments_of("affine");
   FuzzPlan judging;
   const FuzzReport report =
       judged(plan, {{&affine, Format::binary32}, {&affine, Format::binary64}}, onset_cases, judging);

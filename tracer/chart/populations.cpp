@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "exact/classes/class_table.h"
+#include "exact/families/affine.h"
 #include "exact/families/draw.h"
 
 namespace tribunal {
@@ -31,7 +32,7 @@ Trial random_points(Format format, std::uint64_t seed, std::uint64_t k) {
 
 /// Case k of `affine` with the longest entries that the format holds.
 Trial full_affine(Format format, std::uint64_t seed, std::uint64_t k) {
-  const Family& affine = *find_family("affine");
+  static const Family affine = segments_of("affine");
   const std::uint64_t levels = affine.levels(format).size();
   const std::uint64_t last_level = k / class_count * levels + levels - 1;
   return affine.make(format, seed, last_level * class_count + k % class_count);
@@ -48,7 +49,7 @@ Family general_family() {
 }
 
 Family degenerate_family() {
-  Family family = *find_family("affine");
+  Family family = segments_of("affine");
   family.name = "affine-full";
   family.make = full_affine;
   return family;
@@ -56,13 +57,22 @@ Family degenerate_family() {
 
 }  // namespace
 
+Family segments_of(std::string_view name) {
+  const Family& whole = *find_family(name);
+  Family segments = whole;
+  segments.make = [&whole](Format format, std::uint64_t seed, std::uint64_t k) {
+    return whole.make(format, seed, segment_case(k));
+  };
+  return segments;
+}
+
 std::span<const Population> all_populations() {
   static const std::vector<Population> table = {
       {"general", "General position", "five random points of the unit cube, binary32 coordinates", general_family(),
        binary32_only},
       {"degenerate", "Exactly degenerate", "affine images of all 163 classes, full mantissas", degenerate_family(),
        both},
-      {"near", "Nearly degenerate", "affine images of all 163 classes, one vertex moved by ulps", *find_family("ulp"),
+      {"near", "Nearly degenerate", "affine images of all 163 classes, one vertex moved by ulps", segments_of("ulp"),
        both},
   };
   return table;

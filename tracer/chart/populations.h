@@ -16,6 +16,9 @@ struct Population {
   std::span<const Format> formats;
 };
 
+/// The cases of a family that aims at classes, those of segments alone: 163 of one level, then of the next.
+Family segments_of(std::string_view name);
+
 /// General position, exact degeneracies with full mantissas, and their neighbours some units in the last place off.
 std::span<const Population> all_populations();
 

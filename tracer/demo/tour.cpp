@@ -78,7 +78,10 @@ PictureFigures picture_figures(const Json& stats, const std::vector<Case>& cases
 }
 
 const Case& plainest(const std::vector<Case>& cases) {
-  return *std::ranges::min_element(cases, {}, [](const Case& c) { return std::pair(is_special(c), length_of(c)); });
+  return *std::ranges::min_element(cases, {}, [](const Case& c) {
+    const bool is_ray = std::holds_alternative<Ray>(c.query.probe);
+    return std::tuple(is_ray, is_special(c), length_of(c));
+  });
 }
 
 }  // namespace tribunal

@@ -63,7 +63,8 @@ std::vector<FuzzFigures> fuzz_figures(const Json& summary);
 PictureFigures picture_figures(const Json& stats, const std::vector<Case>& cases);
 
 /// The counterexample that is easiest on a reader: a segment and a triangle with area, not in one plane, of
-/// everyday size, if there is one; of these the one with the shortest coordinates. There is at least one case.
+/// everyday size, if there is one; of these the one with the shortest coordinates. There is at least one case
+/// with a segment.
 const Case& plainest(const std::vector<Case>& cases);
 
 }  // namespace tribunal

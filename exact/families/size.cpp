@@ -1,0 +1,49 @@
+// General position at every size of the geometry.
+#include <cmath>
+
+#include "exact/families/probe.h"
+#include "exact/families/shapes.h"
+#include "exact/families/table.h"
+
+namespace tribunal {
+namespace {
+
+constexpr int sizes_64[] = {-1000, -700, -500, -340, -200, -120, -60, -20, 0, 20, 120, 200, 340, 500, 700, 1000};
+constexpr int sizes_32[] = {-120, -90, -70, -50, -35, -20, -10, 0, 10, 20, 35, 50, 80, 110};
+
+constexpr auto levels = by_format<sizes_64, sizes_32>;
+
+/// From a few times smaller than the triangle to 2⁶ times larger.
+double draw_length(Draw& draw) { return std::ldexp(1.0, static_cast<int>(draw.between(-3, 6))); }
+
+Triangle operator*(double f, const Triangle& t) { return {f * t.a, f * t.b, f * t.c}; }
+Segment operator*(double f, const Segment& s) { return {f * s.p, f * s.q}; }
+
+Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
+  Draw draw(20, seed, k);
+  const auto [is_ray, level] = turn_of(k, levels(format).size());
+  const double size = std::ldexp(1.0, levels(format)[level]);
+  const Triangle t = draw_triangle(draw, format);
+  const Point3 x = draw_in_plane(draw, format, t);
+  const Point3 n = draw_point(draw, format);
+  const double before = draw_length(draw);
+  const double beyond = draw_length(draw);
+  const Segment s = through(x, before * n, beyond * n);
+  return unclassified(format, level, draw_probe(is_ray, size * s, format, draw), size * t, draw);
+}
+
+}  // namespace
+
+/// Triangles of size 2^level, with a probe through a rounded point near or in them: nothing is degenerate, and volumes
+/// underflow or overflow, a ray's through its direction alone.
+Family size_family() {
+  return {.name = "size",
+          .stresses = "general position at every size of geometry and direction",
+          .population = "random triangles in [-2^level,2^level]^3, a probe through a point near them",
+          .axis = "log2 of the size",
+          .proves_class = false,
+          .levels = levels,
+          .make = make};
+}
+
+}  // namespace tribunal
