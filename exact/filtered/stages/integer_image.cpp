@@ -35,14 +35,16 @@ bool scale_any(double& x, int shift) {
   return true;
 }
 
-/// The same where 2^shift is a normal number: a product with it is exact, unless it is no integer anyway.
+/// The same where 2^shift is a normal number: a product with it is exact, unless it is no integer anyway. What is below
+/// one is told from zero by its bits: where subnormals are read as zero, a comparison takes a subnormal product for
+/// one.
 bool scale(double& x, double factor) {
   constexpr double integers_from_here = 0x1p53;
   const double y = x * factor;
-  const bool vanished = without_sign(y) == 0 && without_sign(x) != 0;
+  const bool below_one = without_sign(y) < without_sign(1.0) && without_sign(x) != 0;
   const bool is_integer = std::fabs(y) >= integers_from_here || static_cast<double>(static_cast<std::int64_t>(y)) == y;
   x = y;
-  return is_integer && !vanished;
+  return is_integer && !below_one;
 }
 
 /// Scales one coordinate of all the points.
