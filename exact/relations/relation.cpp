@@ -45,7 +45,7 @@ void ask_all(const FuzzPlan& plan, const Query& query, Format format, std::uint6
   }
 }
 
-/// The ray from p in the direction of q − p, as that rounds: rays have no families of their own.
+/// The ray from p in the direction of q − p, as that rounds: so each relation sees rays of the classes of segments too.
 std::optional<Query> as_ray(const Query& query, Format format) {
   const auto* s = std::get_if<Segment>(&query.probe);
   if (s == nullptr) return {};

@@ -129,11 +129,14 @@ FuzzPlan small_plan(std::vector<Method> methods, std::uint64_t cases) {
   return plan;
 }
 
+/// Directions of rays have other sizes than the geometry, which is another stress than a level's.
+bool is_segment_class(Slot slot) { return slot >= 1 && slot <= class_count; }
+
 Count counted(const FuzzPlan& plan, const FuzzReport& report, const char* family, int level) {
   Count total;
   report.counts.for_each([&](const Cell& c, const Count& count) {
     const Stream& s = plan.streams[c.stream];
-    if (c.method == 0 && s.family->name == family && s.format == Format::binary64 &&
+    if (c.method == 0 && s.family->name == family && s.format == Format::binary64 && is_segment_class(c.slot) &&
         c.level < s.family->levels(s.format).size() && s.family->levels(s.format)[c.level] == level) {
       total += count;
     }
