@@ -52,18 +52,8 @@ Point3 image(const AffineMap& map, const std::array<int, 3>& x) {
   return y;
 }
 
-constexpr std::uint64_t ray_class_count = class_count;
-
 /// a, b, c, and p, q of a segment or o, d of a ray.
 using Representative = std::array<std::array<int, 3>, 5>;
-
-Representative representative(const ClassTurn& turn) {
-  Representative x = class_row(turn.id).points;
-  if (turn.is_ray) {
-    for (std::size_t i = 0; i < 3; ++i) x[4][i] -= x[3][i];
-  }
-  return x;
-}
 
 Segment segment_image(const AffineMap& map, const Representative& x, Draw& draw) {
   const Segment s{image(map, x[3]), image(map, x[4])};
@@ -104,20 +94,15 @@ AffineMap draw_placed_map(Draw& draw, Format format, int bits) {
 }
 
 ClassTurn class_turn_of(std::uint64_t k, std::size_t levels) {
-  const std::uint64_t all = class_count + ray_class_count;
-  const std::uint64_t i = k % all;
-  const bool is_ray = i >= class_count;
-  return {is_ray, static_cast<ClassId>(1 + (is_ray ? i - class_count : i)), k / all % levels};
+  return {static_cast<ClassId>(1 + k % all_class_count), k / all_class_count % levels};
 }
 
-std::uint64_t segment_case(std::uint64_t k) {
-  return k / class_count * (class_count + ray_class_count) + k % class_count;
-}
+std::uint64_t segment_case(std::uint64_t k) { return k / class_count * all_class_count + k % class_count; }
 
 Extent extent_of(const ClassTurn& turn, const AffineMap& map, std::size_t axis) {
-  const Representative x = representative(turn);
+  const Representative& x = class_row(turn.id).points;
   Extent extent{std::numeric_limits<std::int64_t>::max(), std::numeric_limits<std::int64_t>::min()};
-  for (std::size_t i = 0; i < (turn.is_ray ? 4 : 5); ++i) {
+  for (std::size_t i = 0; i < (is_ray_class(turn.id) ? 4 : 5); ++i) {
     const std::int64_t y = coordinate(map, axis, x[i], map.offset[axis]);
     extent = {std::min(extent.lo, y), std::max(extent.hi, y)};
   }
@@ -126,12 +111,11 @@ Extent extent_of(const ClassTurn& turn, const AffineMap& map, std::size_t axis) 
 
 Trial image_of(const ClassTurn& turn, const AffineMap& map, Format format, Draw& draw,
                std::optional<int> direction_scale) {
-  const Representative x = representative(turn);
+  const Representative& x = class_row(turn.id).points;
   const Triangle t = in_random_order({image(map, x[0]), image(map, x[1]), image(map, x[2])}, draw);
-  const Probe probe =
-      turn.is_ray ? Probe(ray_image(map, x, format, draw, direction_scale)) : Probe(segment_image(map, x, draw));
-  const ClassId id = turn.is_ray ? 0 : turn.id;
-  return {.query = {probe, t}, .format = format, .class_id = id, .level = static_cast<std::uint16_t>(turn.level)};
+  const Probe probe = is_ray_class(turn.id) ? Probe(ray_image(map, x, format, draw, direction_scale))
+                                            : Probe(segment_image(map, x, draw));
+  return {.query = {probe, t}, .format = format, .class_id = turn.id, .level = static_cast<std::uint16_t>(turn.level)};
 }
 
 Trial affine_image(Format format, Draw& draw, const ClassTurn& turn, int bits) {
@@ -148,7 +132,7 @@ std::span<const int> mantissa_fills(Format format) {
 /// The construction is the oracle.
 Family affine_family() {
   return {.name = "affine",
-          .stresses = "exact degeneracies of all 163 classes, with growing mantissa fill",
+          .stresses = "exact degeneracies of all classes, with growing mantissa fill",
           .population = "exact affine images of the class representatives",
           .axis = "bits of the map's entries",
           .proves_class = true,

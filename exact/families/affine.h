@@ -16,8 +16,9 @@ struct AffineMap {
   std::array<int, 3> scale{};
 };
 
-/// |M·x| < 2^(bits + image_bits) for entries of M of `bits` bits.
-inline constexpr int image_bits = 4;
+/// |M·x| ≤ 7·2^bits < 2^(bits + image_bits) for entries of M of `bits` bits: a representative's coordinates sum to at
+/// most 7.
+inline constexpr int image_bits = 3;
 
 /// Entries of up to `bits` bits, redrawn until the determinant is not zero.
 AffineMap draw_map(Draw& draw, int bits);
@@ -28,7 +29,6 @@ AffineMap draw_placed_map(Draw& draw, Format format, int bits);
 /// The rule of the families that aim at classes: case after case takes the next class, of segments and then of rays,
 /// and each level of the stress axis takes all of them before the next level's turn.
 struct ClassTurn {
-  bool is_ray;
   ClassId id;
   std::size_t level;
 };
@@ -46,7 +46,7 @@ struct Extent {
 Extent extent_of(const ClassTurn& turn, const AffineMap& map, std::size_t axis);
 
 /// The representative of the class under the map, in random vertex order and direction. The class is kept if no
-/// coordinate of M·x + o exceeds the format's integers: |M·x| ≤ 7·2^bits, since a representative's sum to at most 7.
+/// coordinate of M·x + o exceeds the format's integers.
 /// A ray's direction is scaled by a further power of two, 2^direction_scale, or one that is drawn.
 Trial image_of(const ClassTurn& turn, const AffineMap& map, Format format, Draw& draw,
                std::optional<int> direction_scale = {});

@@ -28,7 +28,8 @@ struct Family {
   std::string_view stresses;    ///< one line for people
   std::string_view population;  ///< what a sampled figure is about
   std::string_view axis;        ///< name and unit of the stress axis
-  bool proves_class;            ///< every case knows its class by construction, and all 163 are drawn
+  bool proves_class;  ///< every case knows its class by construction, and all classes, of segments and of rays, are
+                      ///< drawn
   std::span<const int> (*levels)(Format);
   std::function<Trial(Format format, std::uint64_t seed, std::uint64_t k)> make;
 };

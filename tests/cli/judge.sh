@@ -26,7 +26,7 @@ expect 2 cases --fmt binary16
 expect 5 cases --count 5 --out /dev/full
 
 # A naive test in Python fails where sf-double does; with fractions in place of floats, the same lines never do.
-expect 0 cases --family affine --fmt binary64 --count 2608 --out affine.jsonl
+expect 0 cases --family affine --fmt binary64 --count 2624 --out affine.jsonl
 $python "$example" affine.jsonl >naive.jsonl
 expect 1 judge --cases affine.jsonl --answers naive.jsonl --out naive
 says out 'mine-float: refuted' && says out "most in  C"
@@ -38,7 +38,7 @@ $python - <<'PYTHON'
 import json
 wrong = [json.loads(line) for line in open("naive/counterexamples.jsonl")]
 rows = json.load(open("naive/certificate.json"))["own_cases"]
-assert sum(row["n"] + row["unsupported"] for row in rows) <= 2608 and 80 < len(rows) <= 163
+assert sum(row["n"] + row["unsupported"] for row in rows) <= 2624 and 80 < len(rows) <= 163
 assert sum(row["k"] for row in rows) == len(wrong) > 100
 answers = {a["id"]: a for a in map(json.loads, open("naive.jsonl"))}
 assert all(answers[w["id"]]["hit"] == w["finding"]["answered"] != w["expect"] for w in wrong)
@@ -50,13 +50,13 @@ expect 0 judge --cases affine.jsonl --answers exact.jsonl && says out mine-fract
 expect 0 classify --method sf-double,sf-rational --in affine.jsonl --out two.jsonl
 expect 1 judge --cases affine.jsonl --answers two.jsonl --out two && says out sf-rational
 expect 0 verify two/1-sf-double && says out 'not asked again: its answers came from a file'
-expect 1 fuzz --method sf-double --family affine --count 5216 --out fuzzed
+expect 1 fuzz --method sf-double --family affine --count 5248 --out fuzzed
 $python - <<'PYTHON'
 import json
 judged = {row["class"]: row["k"] for row in json.load(open("two/1-sf-double/certificate.json"))["own_cases"]}
 fuzzed = {row["class"]: row["wrong"] for row in json.load(open("fuzzed/summary.json"))["counts"]
           if row["fmt"] == "binary64"}
-assert judged == fuzzed and len(judged) == 163
+assert judged == fuzzed and len(judged) == 328
 PYTHON
 
 # Conventions: a segment in the plane.
@@ -85,8 +85,8 @@ refused 'bad.jsonl:1: method: expected a string' '{"id":"flat","hit":1,"method":
 refused 'bad.jsonl:1: not valid JSON' '{"id":"flat","hit":1'
 refused 'bad.jsonl: no answer is "ok"' '{"id":"flat","status":"unsupported"}'
 : >bad.jsonl && expect 3 judge --cases flat.jsonl --answers bad.jsonl && says err 'bad.jsonl: holds no answers'
-head -n 2600 exact.jsonl >short.jsonl
-expect 3 judge --cases affine.jsonl --answers short.jsonl && says err 'short.jsonl: 8 of 2608 answers of mine-fraction are missing, the first to "affine-binary64-2600"'
+head -n 2616 exact.jsonl >short.jsonl
+expect 3 judge --cases affine.jsonl --answers short.jsonl && says err 'short.jsonl: 8 of 2624 answers of mine-fraction are missing, the first to "affine-binary64-2616"'
 cat flat.jsonl flat.jsonl >double.jsonl
 expect 3 judge --cases double.jsonl --answers miss.jsonl && says err 'double.jsonl:2: id "flat" again, it was on line 1'
 sed 's/"tri"/"expect":0,"tri"/' flat.jsonl >liar.jsonl

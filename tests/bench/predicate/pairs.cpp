@@ -111,7 +111,7 @@ std::vector<Pair> degenerate_pairs(std::size_t n, int bits) {
   for (std::uint64_t k = 0; pairs.size() < n; ++k) {
     Draw draw(degenerate_stream, static_cast<std::uint64_t>(bits), k);
     const AffineMap map = draw_map(draw, bits);
-    pairs.push_back(pair_of(image_of({false, ids[k % ids.size()], 0}, map, Format::binary64, draw)));
+    pairs.push_back(pair_of(image_of({ids[k % ids.size()], 0}, map, Format::binary64, draw)));
   }
   return pairs;
 }
