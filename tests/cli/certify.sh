@@ -4,7 +4,7 @@ source "$(dirname "$0")/common.bash"
 cd "$scratch"
 
 expect 0 certify --method sf-epick --budget quick --threads 1 --out one
-says out 'sf-epick: not refuted' && says out 'binary64 163/163, binary32 163/163' && says one/certificate.md '## Proved'
+says out 'sf-epick: not refuted' && says out "binary64 163/163, ray classes 165/165, binary32 163/163, ray classes 165/165" && says one/certificate.md '## Proved'
 expect 0 verify one && says out 'verified: sf-epick not refuted' && says out 'asked again'
 
 cp -r one edited
