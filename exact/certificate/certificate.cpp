@@ -11,9 +11,12 @@ namespace tribunal {
 namespace {
 
 ProvedSet to_set(const Json& r, const Where& where) {
+  const std::string probes = string_of(r, "probes", where);
+  if (probes != "segment" && probes != "ray") where.key("probes").fail("expected \"segment\" or \"ray\"");
   return {.name = string_of(r, "set", where),
           .oracles = string_of(r, "judged_by", where),
           .answers_hash = string_of(r, "answers_hash", where),
+          .of_rays = probes == "ray",
           .size = number_of(r, "size", where),
           .classes = number_of(r, "classes", where),
           .complete = truth_value_of(r, "complete", where),
@@ -59,6 +62,8 @@ void read(Certificate& c, const Json& r, const Where& where) {
     operands_in(r, where);
   } else if (kind == "environment") {
     c.environment = r;
+  } else if (kind == "budget") {
+    c.budget = r;
   } else if (kind == "set") {
     c.proved.push_back(to_set(r, where));
   } else if (kind == "stream") {
@@ -123,15 +128,28 @@ void add_stream_gaps(Certificate& c) {
   }
 }
 
-/// Every stratum in which nothing was judged.
+std::string outside_contract(const Certificate& c) {
+  return "outside the method's contract: " + c.plan["contract"].get<std::string>();
+}
+
+/// A construction that came up with the other kind of probe is not missing.
+bool came_up_otherwise(const Certificate& c, const Stratum& empty) {
+  const Slot other = with_other_probe(empty.slot);
+  return std::ranges::any_of(
+      c.strata, [&](const Stratum& s) { return s.stream == empty.stream && s.slot == other && s.count.asked > 0; });
+}
+
+/// Every stratum in which nothing was judged, or some of it was refused.
 void add_class_gaps(Certificate& c) {
   for (const Stratum& s : c.strata) {
-    if (s.count.judged() > 0) continue;
     const SampledStream& stream = c.streams[s.stream];
-    const std::string what = name_of(stream) + " " + slot_name(s.slot);
-    if (s.count.asked > 0) {
-      c.gaps.push_back({what, "outside the method's contract: " + c.plan["contract"].get<std::string>(), true});
-    } else if (stream.aims_at_classes) {
+    std::string what = name_of(stream) + " " + slot_name(s.slot);
+    if (s.count.unsupported > 0) {
+      what += ": " + std::to_string(s.count.unsupported) + " of " + std::to_string(s.count.asked);
+      c.gaps.push_back({what, outside_contract(c), true});
+    }
+    if (s.count.asked > 0 || came_up_otherwise(c, s)) continue;
+    if (stream.aims_at_classes) {
       c.gaps.push_back({what, "no case was drawn", false});
     } else {
       const bool triangles = stream.operands == Operands::triangles;
@@ -185,7 +203,28 @@ void add_set_gaps(Certificate& c) {
   }
   for (const ProvedSet& s : c.proved) {
     if (!s.complete || s.count.asked != s.size) c.gaps.push_back({s.name, "the set was not run whole", false});
-    if (s.count.judged() == 0) c.gaps.push_back({s.name, "the method answered none of it", false});
+    if (s.count.judged() == 0) {
+      const bool promised = c.contract_has(s.of_rays);
+      c.gaps.push_back({s.name, promised ? "the method answered none of it" : outside_contract(c), !promised});
+    } else if (s.count.unsupported > 0) {
+      const std::string what = s.name + ": " + std::to_string(s.count.unsupported) + " of " + std::to_string(s.size);
+      c.gaps.push_back({what, outside_contract(c), true});
+    }
+  }
+}
+
+/// Of segments and of rays: what the contract names must have been asked, in the sample at least.
+void add_probe_gaps(Certificate& c) {
+  if (c.proved.empty()) return;  // what judge writes is about the cases of a file
+  for (const bool rays : {false, true}) {
+    const char* const name = rays ? "rays" : "segments";
+    if (!c.contract_has(rays)) {
+      c.gaps.push_back({name, outside_contract(c), true});
+      continue;
+    }
+    if (c.sampled(rays).judged() == 0) c.gaps.push_back({name, "in the contract, and the sample judged none", false});
+    const auto whole = [&](const ProvedSet& s) { return s.of_rays == rays && s.count.judged() > 0; };
+    if (std::ranges::none_of(c.proved, whole)) c.gaps.push_back({name, "no set that was run whole has any", true});
   }
 }
 
@@ -221,6 +260,21 @@ bool Certificate::has_own() const {
   return std::ranges::any_of(streams, [](const SampledStream& s) { return s.is_own(); });
 }
 
+bool Certificate::contract_has(bool rays) const {
+  return plan.at("contract").get<std::string>().find(rays ? "ray" : "segment") != std::string::npos;
+}
+
+Count Certificate::sampled(bool rays) const {
+  Count total;
+  for (const SampleRow& row : this->rows) {
+    if (row.family == own_cases) continue;
+    for (const auto& [slot, count] : row.counts) {
+      if (is_of_rays(slot) == rays) total += count;
+    }
+  }
+  return total;
+}
+
 Count Certificate::sampled() const { return total_of_rows(rows, false); }
 
 Count Certificate::own() const { return total_of_rows(rows, true); }
@@ -233,6 +287,7 @@ Certificate certificate_from(const LogRecords& log, const std::string& path) {
   add_strata(c);
   add_coverage(c);
   add_set_gaps(c);
+  add_probe_gaps(c);
   add_stream_gaps(c);
   add_class_gaps(c);
   add_stage_gaps(c);

@@ -16,6 +16,7 @@ namespace tribunal {
 /// A set that was run whole.
 struct ProvedSet {
   std::string name, oracles, answers_hash;
+  bool of_rays = false;  ///< its probes are rays, else segments
   std::uint64_t size = 0;
   std::uint64_t classes = 0;
   bool complete = false;
@@ -59,6 +60,7 @@ std::string name_of(Verdict v);
 struct Certificate {
   Json plan;         ///< the record "plan": method, convention, contract, stages, budget, seed
   Json environment;  ///< the record "environment"
+  Json budget;       ///< the record "budget"; none in what `judge` writes
   std::vector<Stage> stages;
   std::vector<ProvedSet> proved;
   std::vector<SampledStream> streams;
@@ -78,8 +80,10 @@ struct Certificate {
   bool is_own(const Stratum& s) const { return streams[s.stream].is_own(); }
   std::size_t sampled_strata() const;  ///< which share the simultaneous bounds
   bool has_own() const;
-  Count sampled() const;  ///< without one's own cases
-  Count own() const;      ///< one's own cases
+  bool contract_has(bool rays) const;  ///< whether the contract names rays, or segments
+  Count sampled() const;               ///< without one's own cases
+  Count sampled(bool rays) const;      ///< of these, the rays or the segments
+  Count own() const;                   ///< one's own cases
 };
 
 /// Fails with Exit::bad_input, naming the line of `path`, if a record is not as it must be.

@@ -33,9 +33,7 @@ template <class On>
 BasicFuzzPlan<On> sample_plan(const BasicCertifyPlan<On>& plan) {
   BasicFuzzPlan<On> sample;
   sample.methods = {plan.method};
-  for (const char* naive : {"sf-float", "sf-double"}) {
-    if (plan.method.name != naive) sample.methods.push_back(*find_method(naive));
-  }
+  for (const Method& naive : calibration_beside(plan.method.name)) sample.methods.push_back(naive);
   sample.streams = plan.streams.empty() ? every_stream(On{}) : plan.streams;
   sample.seed = plan.seed;
   sample.threads = plan.threads;
@@ -51,10 +49,15 @@ std::string hex(std::uint64_t x) {
 
 template <class On>
 Json set_record(const BasicScopeResult<On>& s) {
-  return {{"record", "set"},        {"set", s.name},
-          {"size", s.size},         {"judged_by", s.oracles},
-          {"classes", s.classes},   {"answers_hash", hex(s.answers_hash)},
-          {"complete", s.complete}, {"count", to_array(s.count)}};
+  return {{"record", "set"},
+          {"set", s.name},
+          {"probes", s.of_rays ? "ray" : "segment"},
+          {"size", s.size},
+          {"judged_by", s.oracles},
+          {"classes", s.classes},
+          {"answers_hash", hex(s.answers_hash)},
+          {"complete", s.complete},
+          {"count", to_array(s.count)}};
 }
 
 /// Says of polygons that it is about them; of triangles it goes without saying.
@@ -63,8 +66,20 @@ Json with_operands(Json record, Operands operands) {
   return record;
 }
 
+Json case_of(const Trial& t) { return from_case(Case{.id = "", .query = t.query}); }
+Json case_of(const PolygonTrial& t) { return from_case(PolygonCase{.id = "", .query = t.query}); }
+
+/// A digest of the stream's first cases, so that a log tells whether the seed that it names made them.
 template <class On>
-Json stream_record(const Method& method, const BasicStream<On>& stream, std::uint64_t cases) {
+std::string digest_of(const BasicStream<On>& stream, std::uint64_t seed) {
+  std::string first;
+  for (std::uint64_t k = 0; k < 16; ++k) first += case_of(stream.family->make(stream.format, seed, k)).dump();
+  return sha256(first);
+}
+
+/// All but what depends on the method.
+template <class On>
+Json stream_record(const BasicStream<On>& stream, std::uint64_t seed, std::uint64_t cases) {
   const Json record = {{"record", "stream"},
                        {"family", stream.family->name},
                        {"fmt", name_of(stream.format)},
@@ -72,7 +87,7 @@ Json stream_record(const Method& method, const BasicStream<On>& stream, std::uin
                        {"population", stream.family->population},
                        {"judged_by", On::oracle_of(*stream.family)},
                        {"aims_at_classes", On::aims(*stream.family)},
-                       {"taken", takes(method, stream.format)},
+                       {"first_cases", digest_of(stream, seed)},
                        {"cases", cases}};
   return with_operands(record, On::operands);
 }
@@ -127,30 +142,66 @@ void end_if_interrupted() {
   if (interrupted() != 0) throw Failure(static_cast<Exit>(128 + interrupted()), "interrupted; no certificate written");
 }
 
-std::vector<ScopeResult> run_sets(const CertifyPlan& plan) {
-  std::vector<ScopeResult> sets{pocket_run(plan.method), lattice_run(plan.method, 3, plan.threads)};
-  if (plan.budget.full_scope) {
-    sets.push_back(line_run(plan.method));
-    sets.push_back(lattice_run(plan.method, 4, plan.threads));
-  }
+/// A set, and how it is run.
+template <class On>
+struct WholeSet {
+  SetDescription about;
+  std::function<BasicScopeResult<On>(const Method&, unsigned threads)> run;
+};
+
+std::vector<WholeSet<OnTriangles>> whole_sets(const Budget& budget, OnTriangles) {
+  using M = const Method&;
+  std::vector<WholeSet<OnTriangles>> sets = {
+      {pocket_set(), [](M m, unsigned) { return pocket_run(m); }},
+      {lattice_set(3), [](M m, unsigned threads) { return lattice_run(m, 3, threads); }},
+      {ray_pocket_set(), [](M m, unsigned) { return ray_pocket_run(m); }},
+      {ray_lattice_set(false), [](M m, unsigned threads) { return ray_lattice_run(m, false, threads); }}};
+  if (!budget.full_scope) return sets;
+  sets.push_back({line_set(), [](M m, unsigned) { return line_run(m); }});
+  sets.push_back({lattice_set(4), [](M m, unsigned threads) { return lattice_run(m, 4, threads); }});
+  sets.push_back({ray_lattice_set(true), [](M m, unsigned threads) { return ray_lattice_run(m, true, threads); }});
   return sets;
 }
 
-std::vector<PolygonScopeResult> run_sets(const PolygonCertifyPlan& plan) {
-  std::vector<PolygonScopeResult> sets{pocket_of_rings_run(plan.method)};
-  sets.push_back(rings_run(plan.method, plan.budget.full_scope ? 6 : 5, plan.threads));
-  if (plan.budget.full_scope) {
-    sets.push_back(holes_run(plan.method, plan.threads));
-    sets.push_back(centred_rings_run(plan.method, plan.threads));
-  }
+std::vector<WholeSet<OnPolygons>> whole_sets(const Budget& budget, OnPolygons) {
+  using M = const Method&;
+  const int most = budget.full_scope ? 6 : 5;
+  std::vector<WholeSet<OnPolygons>> sets = {
+      {rings_set(4), [](M m, unsigned) { return pocket_of_rings_run(m); }},
+      {rings_set(most), [most](M m, unsigned threads) { return rings_run(m, most, threads); }},
+      {ray_rings_set(most), [most](M m, unsigned threads) { return ray_rings_run(m, most, threads); }},
+      {holes_set(3), [](M m, unsigned threads) { return holes_run(m, 3, threads); }},
+      {two_holes_set(), [](M m, unsigned threads) { return two_holes_run(m, threads); }}};
+  if (!budget.full_scope) return sets;
+  sets.push_back({holes_set(4), [](M m, unsigned threads) { return holes_run(m, 4, threads); }});
+  sets.push_back({centred_rings_set(), [](M m, unsigned threads) { return centred_rings_run(m, threads); }});
   return sets;
+}
+
+template <class On>
+std::vector<BasicScopeResult<On>> run_sets(const BasicCertifyPlan<On>& plan) {
+  std::vector<BasicScopeResult<On>> results;
+  for (const WholeSet<On>& set : whole_sets(plan.budget, On{})) results.push_back(set.run(plan.method, plan.threads));
+  return results;
+}
+
+template <class On>
+Owed owed_on(const Budget& budget, std::uint64_t seed) {
+  Owed owed;
+  for (const WholeSet<On>& set : whole_sets(budget, On{})) owed.sets.push_back(set.about);
+  for (const auto& stream : every_stream(On{})) {
+    owed.streams.push_back(stream_record(stream, seed, cases_per_stream(budget, On{})));
+  }
+  return owed;
 }
 
 template <class On>
 void log_streams(ChainedLog& log, const BasicFuzzPlan<On>& plan) {
   const std::uint64_t n = plan.streams.size();
   for (std::uint64_t i = 0; i < n; ++i) {
-    log.add(stream_record(plan.methods[0], plan.streams[i], (plan.cases + n - 1 - i) / n));
+    Json record = stream_record(plan.streams[i], plan.seed, (plan.cases + n - 1 - i) / n);
+    record["taken"] = takes(plan.methods[0], plan.streams[i].format);
+    log.add(record);
   }
 }
 
@@ -178,6 +229,31 @@ std::vector<Truth> truths_of(const std::vector<Case>& cases, const std::string& 
 
 std::vector<PolygonTruth> truths_of(const std::vector<PolygonCase>& cases, const std::string& file) {
   return truths_of_all<PolygonTruth>(cases, file);
+}
+
+std::vector<Method> calibration_beside(const std::string& method) {
+  std::vector<Method> naive;
+  for (const char* name : {"sf-float", "sf-double"}) {
+    if (method != name) naive.push_back(*find_method(name));
+  }
+  return naive;
+}
+
+Json budget_record(const Budget& b) {
+  return {{"record", "budget"},
+          {"budget", b.name},
+          {"cases_per_class", b.cases_per_class},
+          {"full_scope", b.full_scope},
+          {"rounds", b.rounds}};
+}
+
+Budget to_budget(const Json& record, const Where& where) {
+  return {string_of(record, "budget", where), number_of(record, "cases_per_class", where),
+          truth_value_of(record, "full_scope", where), number_of(record, "rounds", where)};
+}
+
+Owed owed_by(const Budget& budget, std::uint64_t seed, Operands operands) {
+  return operands == Operands::polygons ? owed_on<OnPolygons>(budget, seed) : owed_on<OnTriangles>(budget, seed);
 }
 
 void log_plan(ChainedLog& log, const Method& method, Operands operands, const std::string& budget, std::uint64_t seed) {
@@ -240,6 +316,7 @@ template <class On>
 ChainedLog certify(const BasicCertifyPlan<On>& plan) {
   ChainedLog log;
   log_plan(log, plan.method, On::operands, plan.budget.name, plan.seed);
+  log.add(budget_record(plan.budget));
   const std::vector<BasicScopeResult<On>> sets = run_sets(plan);
   end_if_interrupted();
   for (const auto& set : sets) log.add(set_record(set));

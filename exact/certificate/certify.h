@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "exact/certificate/small_scope.h"
 #include "exact/log/chain.h"
 #include "exact/polygon/fuzz.h"
 
@@ -54,6 +55,22 @@ template <class On>
 void log_own_cases(ChainedLog& log, const Method& method, const std::vector<typename On::Case>& cases,
                    const std::vector<typename On::Truth>& truths,
                    const std::function<typename On::Answer(std::size_t)>& answer);
+
+/// The record "budget": what the budget asks for, in numbers.
+Json budget_record(const Budget& budget);
+Budget to_budget(const Json& record, const Where& where);
+
+/// What a whole trial with this budget and seed must have in its log, apart from answers: the sets that are run whole,
+/// in order, and the record "stream" of each sampled stream, in order, without "taken", which depends on the method.
+struct Owed {
+  std::vector<SetDescription> sets;
+  std::vector<Json> streams;
+};
+
+Owed owed_by(const Budget& budget, std::uint64_t seed, Operands operands);
+
+/// The naive methods that run beside the method on trial: all but itself.
+std::vector<Method> calibration_beside(const std::string& method);
 
 /// The records "plan" and "environment", with which every certificate's log begins.
 void log_plan(ChainedLog& log, const Method& method, Operands operands, const std::string& budget, std::uint64_t seed);

@@ -23,13 +23,27 @@ std::vector<Cells> rings_of(int fewest, int most, Start start) {
   return rings;
 }
 
-/// All cases of one polygon.
-void ask_polygon(const Method& method, const std::vector<Cells>& rings, std::uint64_t number, Scope& scope,
-                 Part& part) {
+/// All cases of one polygon, by segments.
+void ask_segments(const Method& method, const std::vector<Cells>& rings, std::uint64_t number, Scope& scope,
+                  Part& part) {
   const PolygonData& polygon = scope.place(rings);
   const PreparedPolygon prepared = method.polygon(polygon);
   scope.visit_cases(rings, number, [&](const Segment& s, Contact due, bool boundary) {
     part.add(method, {due, true, boundary}, prepared.segment(s), [&] { return PolygonQuery{s, polygon}; });
+  });
+}
+
+/// The piercing segments of one polygon as rays from their source through their target, so with the same contact; the
+/// directions, small integers, take turns at three lengths.
+void ask_rays(const Method& method, const std::vector<Cells>& rings, std::uint64_t number, Scope& scope, Part& part) {
+  constexpr double lengths[] = {1, 0x1p-100, 0x1p100};
+  const PolygonData& polygon = scope.place(rings);
+  const PreparedPolygon prepared = method.polygon(polygon);
+  int asked = 0;
+  scope.visit_cases(rings, number, [&](const Segment& s, Contact due, bool boundary) {
+    if (asked == scope.points()) return;  // what follows lies in the plane
+    const Ray ray{s.p, {lengths[asked++ / 3 % 3] * (s.q - s.p)}};
+    part.add(method, {due, true, boundary, true}, prepared.ray(ray), [&] { return PolygonQuery{ray, polygon}; });
   });
 }
 
@@ -43,20 +57,18 @@ void require_agreement(const Scope& scope, const Cells& ring) {
 /// `visit(ring, ask)` calls `ask` with the rings of each polygon that it makes of a ring. Rings are dealt out in
 /// blocks.
 template <class Visit>
-PolygonScopeResult run(const Method& method, const std::string& name, const std::vector<Cells>& rings, int refinement,
+PolygonScopeResult run(const Method& method, const SetDescription& set, const std::vector<Cells>& rings, int refinement,
                        std::uint64_t polygons_per_ring, unsigned threads, const Visit& visit) {
   constexpr std::size_t block_size = 64;
   std::vector<Scope> scopes(threads, Scope(refinement));
-  const auto cases = static_cast<std::uint64_t>(scopes[0].points() + small_scope_detail::plane_segments);
-  const std::uint64_t size = rings.size() * polygons_per_ring * cases;
   std::vector<Part> parts((rings.size() + block_size - 1) / block_size);
-  Progress progress(name, "cases", size);
+  Progress progress(set.name, "cases", set.size);
   run_blocks(parts.size(), threads, [&](std::size_t block, unsigned worker) {
     const std::size_t end = std::min(rings.size(), (block + 1) * block_size);
     for (std::size_t i = block * block_size; i < end; ++i) {
       std::uint64_t number = i * polygons_per_ring;
       visit(rings[i], [&](const std::vector<Cells>& polygon) {
-        ask_polygon(method, polygon, number++, scopes[worker], parts[block]);
+        (set.of_rays ? ask_rays : ask_segments)(method, polygon, number++, scopes[worker], parts[block]);
       });
       require_agreement(scopes[worker], rings[i]);
     }
@@ -64,32 +76,78 @@ PolygonScopeResult run(const Method& method, const std::string& name, const std:
   });
   Part total;
   for (const Part& part : parts) total.merge(part);
-  return total.result(name, two_inclusions, size);
+  return total.result(set, two_inclusions);
 }
 
 constexpr auto alone = [](const Cells& ring, const auto& ask) { ask({ring}); };
 
+constexpr int centred_refinement = 3;
+constexpr std::uint64_t triangular_holes = 84;
+
+/// Cases of a polygon: points around the grid, and segments of it.
+std::uint64_t cases_of_polygon(int refinement) {
+  const auto side = static_cast<std::uint64_t>(small_scope_detail::Grid{refinement}.side());
+  return side * side + small_scope_detail::plane_segments;
+}
+
 }  // namespace
 
+SetDescription rings_set(int most_vertices) {
+  return {"all rings of 3 to " + std::to_string(most_vertices) + " vertices on a 3x3 grid",
+          rings_of(3, most_vertices, Start::lowest).size() * cases_of_polygon(1)};
+}
+
+SetDescription ray_rings_set(int most_vertices) {
+  const auto rings = rings_of(3, most_vertices, Start::lowest).size();
+  return {"all rings of 3 to " + std::to_string(most_vertices) + " vertices on a 3x3 grid, pierced by rays",
+          rings * (cases_of_polygon(1) - small_scope_detail::plane_segments), true};
+}
+
+SetDescription holes_set(int vertices) {
+  return {
+      std::string("all ") + (vertices == 3 ? "triangles" : "quadrilaterals") + " with a triangular hole on a 3x3 grid",
+      rings_of(vertices, vertices, Start::lowest).size() * triangular_holes * cases_of_polygon(1)};
+}
+
+SetDescription two_holes_set() {
+  return {"the square of a 3x3 grid with two triangular holes",
+          triangular_holes * triangular_holes * cases_of_polygon(1)};
+}
+
+SetDescription centred_rings_set() {
+  return {"all rings of 3 to 5 vertices from the centre of a 3x3 grid",
+          rings_of(3, 5, Start::centre).size() * cases_of_polygon(centred_refinement)};
+}
+
 PolygonScopeResult rings_run(const Method& method, int most_vertices, unsigned threads) {
-  const std::string name = "all rings of 3 to " + std::to_string(most_vertices) + " vertices on a 3x3 grid";
-  return run(method, name, rings_of(3, most_vertices, Start::lowest), 1, 1, threads, alone);
+  return run(method, rings_set(most_vertices), rings_of(3, most_vertices, Start::lowest), 1, 1, threads, alone);
 }
 
 PolygonScopeResult pocket_of_rings_run(const Method& method) { return rings_run(method, 4, 1); }
 
-PolygonScopeResult holes_run(const Method& method, unsigned threads) {
-  constexpr std::uint64_t holes = 84;
+PolygonScopeResult ray_rings_run(const Method& method, int most_vertices, unsigned threads) {
+  return run(method, ray_rings_set(most_vertices), rings_of(3, most_vertices, Start::lowest), 1, 1, threads, alone);
+}
+
+PolygonScopeResult holes_run(const Method& method, int vertices, unsigned threads) {
   const auto with_holes = [](const Cells& ring, const auto& ask) {
     for_each_hole([&](const Cells& hole) { ask({ring, hole}); });
   };
-  return run(method, "all quadrilaterals with a triangular hole on a 3x3 grid", rings_of(4, 4, Start::lowest), 1, holes,
-             threads, with_holes);
+  return run(method, holes_set(vertices), rings_of(vertices, vertices, Start::lowest), 1, triangular_holes, threads,
+             with_holes);
+}
+
+PolygonScopeResult two_holes_run(const Method& method, unsigned threads) {
+  std::vector<Cells> holes;
+  for_each_hole([&](const Cells& hole) { holes.push_back(hole); });
+  const auto in_square = [](const Cells& hole, const auto& ask) {
+    for_each_hole([&](const Cells& other) { ask({{0, 2, 8, 6}, hole, other}); });
+  };
+  return run(method, two_holes_set(), holes, 1, triangular_holes, threads, in_square);
 }
 
 PolygonScopeResult centred_rings_run(const Method& method, unsigned threads) {
-  return run(method, "all rings of 3 to 5 vertices from the centre of a 3x3 grid", rings_of(3, 5, Start::centre), 3, 1,
-             threads, alone);
+  return run(method, centred_rings_set(), rings_of(3, 5, Start::centre), centred_refinement, 1, threads, alone);
 }
 
 }  // namespace tribunal

@@ -23,10 +23,12 @@ std::string rate_of(const Count& c) {
 
 Json to_json(const Count& c) { return {{"asked", c.asked}, {"wrong", c.wrong}, {"unsupported", c.unsupported}}; }
 
+const char* probes_word(bool of_rays) { return of_rays ? "ray" : "segment"; }
+
 Json to_json(const ProvedSet& s) {
-  return {
-      {"set", s.name},          {"size", s.size},         {"classes", s.classes},     {"answers_hash", s.answers_hash},
-      {"complete", s.complete}, {"judged_by", s.oracles}, {"count", to_json(s.count)}};
+  return {{"set", s.name},          {"probes", probes_word(s.of_rays)}, {"size", s.size},
+          {"classes", s.classes},   {"answers_hash", s.answers_hash},   {"complete", s.complete},
+          {"judged_by", s.oracles}, {"count", to_json(s.count)}};
 }
 
 /// Bounds hold for one stratum; the simultaneous ones for all at once (Bonferroni).
@@ -38,6 +40,7 @@ Json to_json(const Certificate& c, const Stratum& s) {
   const SampledStream& stream = c.streams[s.stream];
   Json row;
   row[of_triangles(s.slot) ? "class" : "case"] = slot_name(s.slot);
+  row["probe"] = probes_word(is_of_rays(s.slot));
   row["family"] = stream.family;
   row["fmt"] = name_of(stream.format);
   row["n"] = s.count.judged();
@@ -126,13 +129,13 @@ Json environment_json(const Certificate& c) {
 const char* classes_word(const Certificate& c) { return c.operands() == Operands::triangles ? "classes" : "outcomes"; }
 
 std::string proved_table(const Certificate& c) {
-  std::string text = "| set | cases | " + std::string(classes_word(c)) +
+  std::string text = "| set | probes | cases | " + std::string(classes_word(c)) +
                      " | wrong | outside the contract | hash of the answers | judged by |\n"
-                     "|---|---|---|---|---|---|---|\n";
+                     "|---|---|---|---|---|---|---|---|\n";
   for (const ProvedSet& s : c.proved) {
-    text += "| " + s.name + " | " + std::to_string(s.size) + " | " + std::to_string(s.classes) + " | " +
-            std::to_string(s.count.wrong) + " | " + std::to_string(s.count.unsupported) + " | " + s.answers_hash +
-            " | " + s.oracles + " |\n";
+    text += "| " + s.name + " | " + probes_word(s.of_rays) + "s | " + std::to_string(s.size) + " | " +
+            std::to_string(s.classes) + " | " + std::to_string(s.count.wrong) + " | " +
+            std::to_string(s.count.unsupported) + " | " + s.answers_hash + " | " + s.oracles + " |\n";
   }
   return text;
 }
@@ -146,15 +149,28 @@ std::string stress_of(const Certificate& c, const SampleRow& row) {
   return "";
 }
 
+/// What the row counted of rays, or of segments.
+Count total_of(const SampleRow& row, bool rays) {
+  Count total;
+  for (const auto& [slot, count] : row.counts) {
+    if (is_of_rays(slot) == rays) total += count;
+  }
+  return total;
+}
+
 std::string sampled_table(const Certificate& c) {
   std::string text =
-      "| family | format | stress | cases | wrong | rate | 95 % upper bound |\n|---|---|---|---|---|---|---|\n";
+      "| family | format | probes | stress | cases | wrong | rate | 95 % upper bound |\n"
+      "|---|---|---|---|---|---|---|---|\n";
   for (const SampleRow& row : c.rows) {
     if (row.family == own_cases) continue;
-    const Count count = total_of(row);
-    text += "| " + row.family + " | " + std::string(name_of(row.format)) + " | " + stress_of(c, row) + " | " +
-            std::to_string(count.judged()) + " | " + std::to_string(count.wrong) + " | " + rate_of(count) + " | " +
-            percent(upper_bound(count.wrong, count.judged(), confidence_alpha)) + " |\n";
+    for (const bool rays : {false, true}) {
+      const Count count = total_of(row, rays);
+      if (count.asked == 0) continue;
+      text += "| " + row.family + " | " + std::string(name_of(row.format)) + " | " + probes_word(rays) + "s | " +
+              stress_of(c, row) + " | " + std::to_string(count.judged()) + " | " + std::to_string(count.wrong) + " | " +
+              rate_of(count) + " | " + percent(upper_bound(count.wrong, count.judged(), confidence_alpha)) + " |\n";
+    }
   }
   return text;
 }
@@ -332,9 +348,10 @@ std::string to_summary(const Certificate& c) {
             " wrong of " + std::to_string(s.count.judged()) + ", " + std::to_string(s.classes) + " " + classes_word(c) +
             "\n";
   }
-  const Count sampled = c.sampled();
-  if (c.sampled_strata() > 0) {
-    text += "  sampled  " + wrong_of(sampled) + "; 95 % upper bound " +
+  for (const bool rays : {false, true}) {
+    const Count sampled = c.sampled(rays);
+    if (sampled.asked == 0) continue;
+    text += std::string("  sampled  ") + (rays ? "rays: " : "segments: ") + wrong_of(sampled) + "; 95 % upper bound " +
             percent(upper_bound(sampled.wrong, sampled.judged(), confidence_alpha)) + " on these populations\n";
   }
   if (c.has_own()) text += "  own      " + wrong_of(c.own()) + "\n";

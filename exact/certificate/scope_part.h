@@ -21,7 +21,7 @@ struct Hash {
 /// What one worker or block has found.
 template <class On>
 struct ScopePart {
-  using Slots = std::bitset<1024>;
+  using Slots = std::bitset<2048>;
 
   Count count{};
   Slots judged{}, wrong_slots{};
@@ -49,14 +49,15 @@ struct ScopePart {
     }
   }
 
-  BasicScopeResult<On> result(std::string name, std::string oracles, std::uint64_t size) const {
-    return {.name = std::move(name),
+  BasicScopeResult<On> result(const SetDescription& set, std::string oracles) const {
+    return {.name = set.name,
+            .of_rays = set.of_rays,
             .oracles = std::move(oracles),
-            .size = size,
+            .size = set.size,
             .answers_hash = hash.state,
             .count = count,
             .classes = static_cast<int>(judged.count()),
-            .complete = count.asked == size,
+            .complete = count.asked == set.size,
             .wrong = wrong};
   }
 

@@ -2,6 +2,8 @@
 
 #include <cstdio>
 
+#include "exact/certificate/certify.h"
+#include "exact/certificate/owed.h"
 #include "exact/certificate/small_scope.h"
 #include "exact/harness/counterexample.h"
 #include "exact/io/files.h"
@@ -65,16 +67,61 @@ void ask_again(Verification& v) {
   }
 }
 
+/// What a rerun must give again, in the log's order.
+std::vector<Json> answers_in(const LogRecords& log) {
+  std::vector<Json> records;
+  for (const Json& r : log.records) {
+    const std::string kind = r.value("record", "");
+    const bool own = r.value("family", "") == own_cases;
+    if (kind == "set" || (!own && (kind == "stream" || kind == "sample"))) records.push_back(r);
+  }
+  return records;
+}
+
+template <class On>
+ChainedLog run_again(const Method& method, const Certificate& c, unsigned threads) {
+  BasicCertifyPlan<On> plan{.method = method,
+                            .budget = to_budget(c.budget, {"log.jsonl"}),
+                            .seed = number_of(c.plan, "seed", {"log.jsonl"}),
+                            .threads = threads};
+  return certify(plan);
+}
+
+void rerun_all(Verification& v, const LogRecords& log, unsigned threads) {
+  const Certificate& c = v.certificate;
+  const Method* const method = find_method(c.method());
+  if (method == nullptr || !c.budget.is_object()) {
+    v.faults.push_back("cannot be run again: " + std::string(method == nullptr ? "the method is not known here"
+                                                                               : "its answers came from a file"));
+    return;
+  }
+  const ChainedLog again = c.operands() == Operands::polygons ? run_again<OnPolygons>(*method, c, threads)
+                                                              : run_again<OnTriangles>(*method, c, threads);
+  const std::vector<Json> due = answers_in(again.so_far()), logged = answers_in(log);
+  if (due.size() != logged.size())
+    v.faults.push_back("run again, the trial has other records (a mesh is not run again)");
+  for (std::size_t i = 0; i < std::min(due.size(), logged.size()); ++i) {
+    if (due[i].contains("size")) v.rerun += number_of(due[i], "size", {"log.jsonl"});
+    if (due[i]["record"] == "stream") v.rerun += number_of(due[i], "cases", {"log.jsonl"});
+    if (due[i] == logged[i]) continue;
+    const std::string what = due[i].contains("set") ? due[i]["set"] : due[i]["family"];
+    v.faults.push_back("run again, " + what + " gives other counts");
+  }
+}
+
 }  // namespace
 
-Verification verify(const std::string& directory) {
+Verification verify(const std::string& directory, unsigned rerun) {
   const std::string path = directory + "/log.jsonl";
-  Verification v{certificate_from(read_log(path), path)};
+  const LogRecords log = read_log(path);
+  Verification v{certificate_from(log, path)};
   compare(v, directory + "/certificate.json", to_json(v.certificate).dump(1) + "\n");
   compare(v, directory + "/certificate.md", to_markdown(v.certificate));
   compare(v, directory + "/counterexamples.jsonl", counterexample_lines(v.certificate));
+  for (const std::string& debt : debts_of(v.certificate, log, path)) v.faults.push_back(debt);
   for (const Json& line : v.certificate.counterexamples) confirm(v, line);
   ask_again(v);
+  if (rerun > 0 && v.faults.empty()) rerun_all(v, log, rerun);
   return v;
 }
 

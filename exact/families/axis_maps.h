@@ -24,6 +24,7 @@ struct AxisMap {
     return r;
   }
   Segment operator()(const Segment& s) const { return {(*this)(s.p), (*this)(s.q)}; }
+  Ray operator()(const Ray& r) const { return {(*this)(r.o), {(*this)(r.d.v)}}; }
   Triangle operator()(const Triangle& t) const { return {(*this)(t.a), (*this)(t.b), (*this)(t.c)}; }
 };
 

@@ -12,8 +12,6 @@ namespace {
 constexpr std::size_t contact_count = 5;  ///< that an exact answer can have
 constexpr Slot first_construction = all_class_count + 1;
 
-Slot first_outcome() { return static_cast<Slot>(first_construction + all_constructions().size()); }
-
 /// A coplanar contact is one with a planar polygon.
 std::vector<PolygonTruth> find_outcomes() {
   std::vector<PolygonTruth> found;
@@ -29,12 +27,27 @@ const std::vector<PolygonTruth>& outcomes() {
   return found;
 }
 
-bool is_class(Slot slot) { return slot > 0 && slot < first_construction; }
-bool is_construction(Slot slot) { return slot >= first_construction && slot < first_outcome(); }
-bool is_outcome(Slot slot) { return slot >= first_outcome(); }
+/// Segments first, then rays: what comes 2·n slots after `first` has slots of its own for each.
+struct Twice {
+  Slot first;
+  std::size_t n;
 
-const Known& construction_of(Slot slot) { return all_constructions()[slot - first_construction]; }
-const PolygonTruth& outcome_of(Slot slot) { return outcomes()[static_cast<std::size_t>(slot - first_outcome())]; }
+  Slot end() const { return static_cast<Slot>(first + 2 * n); }
+  bool contains(Slot s) const { return first <= s && s < end(); }
+  Slot at(std::size_t i, bool of_ray) const { return static_cast<Slot>(first + i + (of_ray ? n : 0)); }
+  std::size_t index(Slot s) const { return (s - first) % n; }
+  bool of_ray(Slot s) const { return s - first >= static_cast<int>(n); }
+};
+
+Twice construction_slots() { return {first_construction, all_constructions().size()}; }
+Twice outcome_slots() { return {construction_slots().end(), outcomes().size()}; }
+
+bool is_class(Slot slot) { return slot > 0 && slot < first_construction; }
+bool is_construction(Slot slot) { return construction_slots().contains(slot); }
+bool is_outcome(Slot slot) { return outcome_slots().contains(slot); }
+
+const Known& construction_of(Slot slot) { return all_constructions()[construction_slots().index(slot)]; }
+const PolygonTruth& outcome_of(Slot slot) { return outcomes()[outcome_slots().index(slot)]; }
 
 std::string name_of(const Known& c) {
   return std::string(all_shapes()[c.shape].name) + " / " + std::string(name_of(c.place)) + " / " +
@@ -56,8 +69,18 @@ int place_member(Slot slot) {
   return static_cast<int>(c.place) * approach_count + static_cast<int>(c.approach);
 }
 
-int construction_member(Slot slot) { return is_construction(slot) ? slot : -1; }
-int outcome_member(Slot slot) { return is_outcome(slot) ? slot : -1; }
+/// By either kind of probe, or by rays alone.
+template <bool rays_alone>
+int construction_member(Slot slot) {
+  if (!is_construction(slot) || (rays_alone && !construction_slots().of_ray(slot))) return -1;
+  return static_cast<int>(construction_slots().index(slot));
+}
+
+template <bool rays_alone>
+int outcome_member(Slot slot) {
+  if (!is_outcome(slot) || (rays_alone && !outcome_slots().of_ray(slot))) return -1;
+  return static_cast<int>(outcome_slots().index(slot));
+}
 
 std::unordered_map<std::string, Slot> find_names() {
   std::unordered_map<std::string, Slot> names;
@@ -69,7 +92,7 @@ std::unordered_map<std::string, Slot> find_names() {
 
 SlotRange slots_of(Operands operands) {
   if (operands == Operands::triangles) return {1, first_construction};
-  return {first_construction, static_cast<Slot>(first_outcome() + outcomes().size())};
+  return {first_construction, outcome_slots().end()};
 }
 
 Operands operands_of(Slot slot) { return slot < first_construction ? Operands::triangles : Operands::polygons; }
@@ -77,15 +100,28 @@ Operands operands_of(Slot slot) { return slot < first_construction ? Operands::t
 Slot slot_of(const Truth& truth) { return truth.class_id; }
 
 Slot slot_of(const PolygonTruth& truth) {
-  const auto contact = static_cast<std::size_t>(truth.contact);
-  return static_cast<Slot>(first_outcome() + 2 * contact + (truth.planar ? 0 : 1));
+  const std::size_t index = 2 * static_cast<std::size_t>(truth.contact) + (truth.planar ? 0 : 1);
+  return outcome_slots().at(index, truth.of_ray);
 }
 
-Slot slot_of(const Known& construction) { return static_cast<Slot>(first_construction + index_of(construction)); }
+Slot slot_of(const Known& construction, bool of_ray) { return construction_slots().at(index_of(construction), of_ray); }
+
+bool is_of_rays(Slot slot) {
+  if (is_class(slot)) return is_ray_class(slot);
+  return is_construction(slot) ? construction_slots().of_ray(slot) : outcome_slots().of_ray(slot);
+}
+
+Slot with_other_probe(Slot slot) {
+  if (is_class(slot)) return slot;
+  const Twice slots = is_construction(slot) ? construction_slots() : outcome_slots();
+  return slots.at(slots.index(slot), !slots.of_ray(slot));
+}
 
 std::string slot_name(Slot slot) {
-  if (is_outcome(slot)) return name_of(outcome_of(slot));
-  if (is_construction(slot)) return name_of(construction_of(slot));
+  if (!is_class(slot)) {
+    const std::string name = is_outcome(slot) ? name_of(outcome_of(slot)) : name_of(construction_of(slot));
+    return name + (is_of_rays(slot) ? ", ray" : "");
+  }
   return class_name(static_cast<ClassId>(slot));
 }
 
@@ -109,8 +145,10 @@ const std::vector<SlotGroup>& slot_groups(Operands operands) {
   static const std::vector<SlotGroup> of_polygons = {
       {"ring configurations", shape_count, false, shape_member},
       {"places x approaches", place_count * approach_count, false, place_member},
-      {"constructions", all_constructions().size(), true, construction_member},
-      {"outcomes", outcomes().size(), true, outcome_member},
+      {"constructions", all_constructions().size(), true, construction_member<false>},
+      {"outcomes", outcomes().size(), true, outcome_member<false>},
+      {"constructions by rays", all_constructions().size(), true, construction_member<true>},
+      {"outcomes by rays", outcomes().size(), true, outcome_member<true>},
   };
   return operands == Operands::triangles ? of_triangles : of_polygons;
 }
@@ -118,7 +156,9 @@ const std::vector<SlotGroup>& slot_groups(Operands operands) {
 std::vector<Slot> slots_due(Operands operands, bool aimed) {
   std::vector<Slot> due;
   for (Slot slot = slots_of(operands).first; slot < slots_of(operands).end; ++slot) {
-    if (class_member(slot) >= 0 || (aimed ? is_construction(slot) : is_outcome(slot))) due.push_back(slot);
+    if (class_member(slot) >= 0 || (!is_of_rays(slot) && (aimed ? is_construction(slot) : is_outcome(slot)))) {
+      due.push_back(slot);
+    }
   }
   return due;
 }

@@ -15,7 +15,7 @@ enum class Operands : std::uint8_t { triangles, polygons };
 
 /// Of triangles: the class, of a segment or a ray. Above them, of polygons: the constructions
 /// (configuration × place × approach), for cases that know theirs; and the outcomes (contact, planar or not) for the
-/// others.
+/// others; each with segments and with rays.
 using Slot = std::uint16_t;
 
 /// Slots first ≤ s < end.
@@ -31,7 +31,13 @@ Operands operands_of(Slot slot);
 
 Slot slot_of(const Truth& truth);
 Slot slot_of(const PolygonTruth& truth);
-Slot slot_of(const Known& construction);
+Slot slot_of(const Known& construction, bool of_ray);
+
+/// Whether the slot's cases have rays, else segments.
+bool is_of_rays(Slot slot);
+
+/// The slot of the same construction or outcome with the other kind of probe; of a class, itself.
+Slot with_other_probe(Slot slot);
 
 /// "C017", "R017", "comb / outer corner / through", "edge", "none, not planar".
 std::string slot_name(Slot slot);

@@ -25,7 +25,7 @@ struct OnPolygons {
 
   static Truth truth_of(const Trial& trial, std::uint64_t) { return tribunal::truth_of(trial); }
   static Slot slot_of(const Trial& trial, const Truth& truth) {
-    return trial.known ? tribunal::slot_of(*trial.known) : tribunal::slot_of(truth);
+    return trial.known ? tribunal::slot_of(*trial.known, truth.of_ray) : tribunal::slot_of(truth);
   }
   static bool aims(const Family& family) { return family.constructs; }
   static const char* oracle_of(const Family& family) {

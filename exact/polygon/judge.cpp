@@ -60,7 +60,9 @@ bool fits(const Known& known, const PolygonTruth& truth) {
 }  // namespace
 
 PolygonTruth exact_truth(const PolygonQuery& query) {
-  return std::visit([&](const auto& probe) { return truth_for(probe, query); }, query.probe);
+  PolygonTruth truth = std::visit([&](const auto& probe) { return truth_for(probe, query); }, query.probe);
+  truth.of_ray = std::holds_alternative<Ray>(query.probe);
+  return truth;
 }
 
 PolygonTruth truth_of(const PolygonTrial& trial) {

@@ -11,6 +11,7 @@ struct PolygonTruth {
   Contact contact = Contact::none;
   bool planar = true;
   bool boundary = false;  ///< a ring edge is met: where the contact is edge or vertex, and perhaps where it is coplanar
+  bool of_ray = false;    ///< the probe is a ray
 
   bool hit() const { return contact != Contact::none; }
 };

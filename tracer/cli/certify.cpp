@@ -94,8 +94,14 @@ int run(const Options& o) {
   return run(o, plan);
 }
 
-int run_verify(const std::string& directory) {
-  const Verification v = verify(directory);
+struct VerifyOptions {
+  std::string directory;
+  bool rerun = false;
+  unsigned threads = 1;
+};
+
+int run_verify(const VerifyOptions& o) {
+  const Verification v = verify(o.directory, o.rerun ? o.threads : 0);
   for (const std::string& fault : v.faults) print(fault + "\n");
   const Certificate& c = v.certificate;
   print(std::string(v.faults.empty() ? "verified" : "NOT VERIFIED") + ": " + c.method() + " " + name_of(c.verdict) +
@@ -103,7 +109,7 @@ int run_verify(const std::string& directory) {
         " counterexamples confirmed by exact arithmetic; " +
         (v.not_asked.empty() ? "asked again on " + std::to_string(v.asked_again) + " cases"
                              : "not asked again: " + v.not_asked) +
-        "\nlog sha256 " + c.log_head + "\n");
+        (v.rerun > 0 ? "; " + std::to_string(v.rerun) + " cases run again" : "") + "\nlog sha256 " + c.log_head + "\n");
   return code(v.faults.empty() ? Exit::ok : Exit::disagreement);
 }
 
@@ -131,9 +137,12 @@ Action declare_certify(CLI::App& app) {
 }
 
 Action declare_verify(CLI::App& app) {
-  const auto directory = std::make_shared<std::string>();
-  app.add_option("DIR", *directory, "what certify --out or judge --out wrote")->required();
-  return with_plugins(app, [directory] { return run_verify(*directory); });
+  const auto o = std::make_shared<VerifyOptions>();
+  app.add_option("DIR", o->directory, "what certify --out or judge --out wrote")->required();
+  app.add_flag("--rerun", o->rerun,
+               "run the whole trial again, which takes as long as it took, and compare all counts");
+  add_threads_option(app, o->threads);
+  return with_plugins(app, [o] { return run_verify(*o); });
 }
 
 }  // namespace tribunal
