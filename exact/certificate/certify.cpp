@@ -25,7 +25,7 @@ constexpr std::size_t shrunk_per_class = 3;
 std::vector<Stream> every_stream(OnTriangles) { return all_streams(); }
 std::vector<PolygonStream> every_stream(OnPolygons) { return all_polygon_streams(); }
 
-std::uint64_t cases_per_stream(const Budget& b, OnTriangles) { return class_count * b.cases_per_class; }
+std::uint64_t cases_per_stream(const Budget& b, OnTriangles) { return all_class_count * b.cases_per_class; }
 std::uint64_t cases_per_stream(const Budget& b, OnPolygons) { return shape_count * place_count * b.rounds; }
 
 /// The method on trial first, then naive ones that must fail somewhere.

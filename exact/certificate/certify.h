@@ -10,7 +10,7 @@
 
 namespace tribunal {
 
-/// What is run. `cases_per_class`: sampled cases of each class in each stream that proves classes, and 163 times as
+/// What is run. `cases_per_class`: sampled cases of each class in each stream that proves classes, and 328 times as
 /// many a stream in the others. `rounds`: of polygons, how often each stream goes through all pairs of a ring
 /// configuration and a place (572 cases).
 struct Budget {

@@ -156,7 +156,7 @@ const std::vector<SlotGroup>& slot_groups(Operands operands) {
 std::vector<Slot> slots_due(Operands operands, bool aimed) {
   std::vector<Slot> due;
   for (Slot slot = slots_of(operands).first; slot < slots_of(operands).end; ++slot) {
-    if (class_member(slot) >= 0 || (!is_of_rays(slot) && (aimed ? is_construction(slot) : is_outcome(slot)))) {
+    if (is_class(slot) || (!is_of_rays(slot) && (aimed ? is_construction(slot) : is_outcome(slot)))) {
       due.push_back(slot);
     }
   }

@@ -145,8 +145,9 @@ inline ScaledScene scaled_scene(Format format, std::uint64_t k, std::size_t rays
   return scene;
 }
 
-/// The control words of all rounding modes, with and without flush to zero and denormals are zero.
-inline constexpr unsigned environments[] = {0x0000, 0x2000, 0x4000, 0x6000, 0x8040, 0xa040, 0xc040, 0xe040};
+/// The control words of all rounding modes, each with neither, either and both of flush to zero and denormals are zero.
+inline constexpr unsigned environments[] = {0x0000, 0x2000, 0x4000, 0x6000, 0x8040, 0xa040, 0xc040, 0xe040,
+                                            0x0040, 0x2040, 0x4040, 0x6040, 0x8000, 0xa000, 0xc000, 0xe000};
 
 /// Another floating-point environment, for one scope.
 class InEnvironment {

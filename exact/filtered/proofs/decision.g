@@ -1,6 +1,8 @@
 # What `conclude` of exact/filtered/shared_volumes.h may conclude of volumes as computed: segments, and edges of any
 # probe. Signs are turned so that toward >= 0 as computed. `b` is the least that the bound can come to, 169 units: 170
 # less what its own four roundings take. The largest arm on each axis is 1, so that no volume exceeds 19.
+# Where `tiny` makes the bound larger than 169 units, all thresholds grow in proportion and rounding does not: the goals
+# hold with more to spare. What flushing adds to the two sums is below 2^-1020, nothing beside tiny.
 # A volume beyond b has the sign it shows (shared_volumes.g); what follows is about computed numbers alone.
 
 b = 169b-52;

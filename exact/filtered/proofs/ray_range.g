@@ -21,7 +21,7 @@ t_max = reach / direction;
 t_term = (e_minor * reach + (m_minor + e_minor) * (t_max * flush)) * k + t_max * flush;
 e_toward = 3 * t_term * k * k + 2 * (t_max * flush) * k;
 
-# The bound is computed from arms that are off by e_arm; `reach` and so the 138 units of ray_decision.g as well.
+# The bound is computed from arms that are off by e_arm; `reach` and so the 114 units of ray_decision.g as well.
 e_bound = 3 * (m_arm + e_arm) * (m_arm + e_arm) * e_arm;
 
 { e_source + e_toward + e_bound in ? }
