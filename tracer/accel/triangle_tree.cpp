@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "exact/filtered/filtered.h"
+#include "exact/filtered/rounded_parameter.h"
 #include "exact/filtered/stages/default_rounding.h"
 #include "tracer/accel/wide/closest.h"
 #include "tracer/accel/wide/packet.h"
@@ -38,8 +39,10 @@ class Search {
   RayWalk walk() { return {&judge_.ray, &probe_, &finder_}; }
 
   std::optional<Nearest> nearest() const {
-    if (!finder_.best()) return std::nullopt;
-    return Nearest{finder_.best()->id, finder_.best()->t};
+    const std::optional<BoundedHit>& best = finder_.best();
+    if (!best) return std::nullopt;
+    if (best->bounds.are_close()) return Nearest{best->id, best->t};
+    return Nearest{best->id, rounded_parameter(judge_.ray, judge_.tree.triangle(best->place))};
   }
 
  private:
@@ -82,7 +85,7 @@ struct LanesAtWork {
   double share() const { return taken == 0 ? 0 : static_cast<double>(at_work) / static_cast<double>(taken); }
 };
 
-/// Eight rays at a time; those that a packet cannot tell of alone.
+/// Eight rays at a time; alone those that a packet cannot tell of, or whose t it does not know closely.
 LanesAtWork search_packets(const WideTree& tree, std::span<const Ray> rays, std::span<std::optional<Nearest>> hits) {
   LanesAtWork lanes;
   for (std::size_t from = 0; from < rays.size(); from += packet_size) {
@@ -93,7 +96,8 @@ LanesAtWork search_packets(const WideTree& tree, std::span<const Ray> rays, std:
     packet_target().first_hits({tree, {}, {}}, packet, a);
     for (std::size_t lane = 0; lane < some.size(); ++lane) {
       std::optional<Nearest>& hit = hits[from + lane];
-      if ((a.known >> lane & 1) == 0) {
+      const unsigned told = a.known & (a.close | ~a.hit);
+      if ((told >> lane & 1) == 0) {
         hit = search(tree, some[lane]);
       } else if ((a.hit >> lane & 1) == 0) {
         hit.reset();

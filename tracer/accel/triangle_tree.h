@@ -11,7 +11,10 @@
 
 namespace tribunal {
 
-/// What a ray hits first. The choice is exact: smallest exact t, ties by lowest id. `t` itself is rounded.
+/// A face that a ray hits. Which one it is was decided by exact parameters; `t` is the parameter in double, for people
+/// and pictures, off by less than 2⁻²⁰ of the exact one: by some units in the last place where the filter tells that
+/// much, else correctly rounded, so exactly 0 at the ray's origin, subnormal where it must be, and +∞ beyond DBL_MAX.
+/// `rounded_parameter` (exact/filtered/rounded_parameter.h) gives the correctly rounded one of any hit.
 struct Nearest {
   std::uint32_t id;
   double t;
@@ -22,7 +25,7 @@ struct Nearest {
 /// Laws. (1) `closest` is what a test of every triangle by exact arithmetic gives, in the tracer's reading: a
 /// triangle that holds the ray in its plane, or has no area, is not hit. (2) A ray that is not finite hits nothing.
 /// (3) All const functions may be called from any number of threads at once. (4) Rays in a batch get the ids that they
-/// get one by one; t may be rounded otherwise. (5) Neither the rounding mode nor flush-to-zero of the calling thread
+/// get one by one; t may differ within its bound. (5) Neither the rounding mode nor flush-to-zero of the calling thread
 /// changes an answer.
 class TriangleTree {
  public:

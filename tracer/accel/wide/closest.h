@@ -13,6 +13,10 @@ namespace tribunal {
 struct HitBounds {
   double least = 0, greatest = std::numeric_limits<double>::infinity();
 
+  /// How far apart they are where they are called close: 2⁻²¹ of the greater one.
+  static constexpr double close_width = 0x1p-21;
+  bool are_close() const { return least > (1 - close_width) * greatest; }
+
   /// x, or the nearest number within; of a NaN, least.
   double nearest_to(double x) const { return x >= least ? std::min(x, greatest) : least; }
 };
@@ -73,15 +77,13 @@ class ClosestFinder final : public Finder {
   std::uint64_t certain() const { return certain_; }
 
  private:
-  static bool are_close(const HitBounds& b) { return b.least > (1 - 0x1p-20) * b.greatest; }
-
   /// By the lanes' volumes; where those say little, as they do from afar, by closer ones or else by the box. Lowers
   /// latest_.
   HitBounds bounds_of(const Finding& f, std::uint32_t id) {
     HitBounds bounds = hit_bounds(f.num, f.bound, f.den, f.bound);
-    if (!are_close(bounds) && judge_.is_exact()) bounds = hit_bounds(judge_.ray, judge_.plane(f.place, id));
+    if (!bounds.are_close() && judge_.is_exact()) bounds = hit_bounds(judge_.ray, judge_.plane(f.place, id));
     latest_ = std::min(latest_, bounds.greatest);
-    if (are_close(bounds)) return bounds;
+    if (bounds.are_close()) return bounds;
     const Span span = judge_.span(f.place, id);
     if (span.empty()) return bounds;
     latest_ = std::min(latest_, span.last);

@@ -35,8 +35,9 @@ struct ProbePacket {
 struct PacketAnswer {
   unsigned known = 0;                          ///< lanes whose answer is certain
   unsigned hit = 0;                            ///< of these: whose probe hits a face
+  unsigned close = 0;                          ///< of these: whose t is within 2⁻²⁰ of the exact one, relatively
   alignas(64) double id[packet_size] = {};     ///< the first face hit, of rays
-  alignas(64) double t[packet_size] = {};      ///< where, rounded
+  alignas(64) double t[packet_size] = {};      ///< where, in double; any number unless close
   alignas(64) double tests[packet_size] = {};  ///< certain answers about a face
 
   // Of all lanes together: certain answers about a face, those that said hit, and box tests.

@@ -172,7 +172,7 @@ class PacketSieve {
       verdict.hit |= hit;
     }
     if constexpr (std::is_same_v<P, Ray>) {
-      const Lanes far = certain.bound * Lanes(0x1p20);
+      const Lanes far = certain.bound * Lanes(0x1p24);
       const unsigned near = ((magnitude(verdict.num) < far) | (magnitude(verdict.den) < far)).bits();
       if (HWY_UNLIKELY((verdict.hit & asked & near) != 0)) come_closer(t, source, target, verdict);
     }
@@ -229,6 +229,14 @@ class ClosestLanes {
     lower_limit(c);
   }
 
+  /// Tells which lanes' bounds are as close as HitBounds calls it; t, as computed, is between them.
+  HWY_INLINE void finish() {
+    for (std::size_t c = 0; c < packet_size; c += double_lanes) {
+      const Lanes almost = Lanes::load(greatest_ + c) * Lanes(1 - 0x1p-21);
+      state_.answer.close |= state_.answer.hit & (Lanes::load(least_ + c) > almost).bits() << c;
+    }
+  }
+
  private:
   using Halves = hn::Rebind<float, Tag>;
 
@@ -266,6 +274,7 @@ class ClosestLanes {
   walk_together<true>(faces.tree, probe, state, [&](NodeRef leaf, unsigned lanes) {
     sieve.sift(leaf, lanes, [&](const Lanes& id, std::size_t c, const LaneVerdict& v) { closest.add(id, c, v); });
   });
+  closest.finish();
   state.finish(probe.held);
 }
 
