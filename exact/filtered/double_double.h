@@ -11,8 +11,8 @@ namespace tribunal {
 /// The number hi + lo, where hi is that sum rounded to nearest.
 ///
 /// Laws, in round-to-nearest and where nothing overflows. (1) Sums and differences of two numbers with lo = 0 are
-/// exact. (2) Sums, differences and products are off by at most 8·2⁻¹⁰⁶ = 2⁻¹⁰³ of the exact result (proved there: 3 and
-/// 5, and a little), and products by some multiples of 2⁻¹⁰⁷⁴ more where a part underflows.
+/// exact. (2) Sums, differences and products are off by at most 8·2⁻¹⁰⁶ = 2⁻¹⁰³ of the exact result (proved there: 3
+/// and 5, and a little), and products by some multiples of 2⁻¹⁰⁷⁴ more where a part underflows.
 struct DoubleDouble {
   double hi = 0, lo = 0;
 

@@ -22,8 +22,7 @@ mpz_class shifted(const mpz_class& x, long by) { return x << static_cast<mp_bitc
 
 /// num / (den·2^unit) as a whole number and a rest, over whichever divisor is whole: den·2^unit or den.
 struct Division {
-  Division(const mpz_class& num, const mpz_class& den, long unit)
-      : divisor(unit > 0 ? shifted(den, unit) : den) {
+  Division(const mpz_class& num, const mpz_class& den, long unit) : divisor(unit > 0 ? shifted(den, unit) : den) {
     const mpz_class dividend = unit < 0 ? shifted(num, -unit) : num;
     mpz_fdiv_qr(quotient.get_mpz_t(), rest.get_mpz_t(), dividend.get_mpz_t(), divisor.get_mpz_t());
   }

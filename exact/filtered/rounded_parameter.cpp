@@ -1,19 +1,19 @@
 // The first stage computes an interval that certainly holds λ = n/d, and answers where both of its ends round to the
 // same number.
 //
-// Bounds. The arms of a volume are sums of two doubles, so exact. A term uᵢ·vⱼ·wₖ then passes five operations on its way
-// into det3: two products, the minor's difference and two sums. Each is off by 2⁻¹⁰³ at most, so the volume is off by
-// (1 + 2⁻¹⁰³)⁵ − 1 < 2⁻¹⁰⁰ of the sum T of the terms' magnitudes. T is computed in double, from rounded arms, and comes
-// out at no less than (1 − 2⁻⁵²)⁸ of what it is: 2⁻⁹⁹·T suffices. With arms below 2¹⁵⁰ nothing overflows; a part that
-// underflows is off by 2⁻¹⁰⁷⁴, times at most two arms; that is far below `tiny` = 2⁻⁷⁰⁰.
+// Bounds. The arms of a volume are sums of two doubles, so exact. A term uᵢ·vⱼ·wₖ then passes five operations on its
+// way into det3: two products, the minor's difference and two sums. Each is off by 2⁻¹⁰³ at most, so the volume is off
+// by (1 + 2⁻¹⁰³)⁵ − 1 < 2⁻¹⁰⁰ of the sum T of the terms' magnitudes. T is computed in double, from rounded arms, and
+// comes out at no less than (1 − 2⁻⁵²)⁸ of what it is: 2⁻⁹⁹·T suffices. With arms below 2¹⁵⁰ nothing overflows; a part
+// that underflows is off by 2⁻¹⁰⁷⁴, times at most two arms; that is far below `tiny` = 2⁻⁷⁰⁰.
 //
 // The quotient. q₁ = n.hi/d.hi rounded is within 2⁻⁵¹ of n/d, so that r = n − q₁·d, which two operations compute to
 // within 2·2⁻¹⁰³ of |n| and a little, is at most 2⁻⁵⁰·|n|; q₂ = r.hi/d.hi drops r.lo and d.lo and is rounded: 3·2⁻⁵³
 // of |q₂| ≤ 2⁻⁴⁹·|q₁|. Together q₁ + q₂ is within 2⁻⁹⁹ of n/d, relatively.
 //
 // With |N − n| ≤ e and |D − d| ≤ g, both below 2⁻⁶⁰ of |n| and |d|, N/D is within (e/|n| + g/|d|)·(1 + 2⁻⁵⁸) of n/d,
-// relatively. `slack` below is twice that and 2⁻⁹⁷, which also covers its own roundings and those of q₂ ± slack, 2⁻⁵³ of
-// q₂. Rounding is monotone, so if q₁ + (q₂ − slack) and q₁ + (q₂ + slack) round to one number, then N/D does.
+// relatively. `slack` below is twice that and 2⁻⁹⁷, which also covers its own roundings and those of q₂ ± slack, 2⁻⁵³
+// of q₂. Rounding is monotone, so if q₁ + (q₂ − slack) and q₁ + (q₂ + slack) round to one number, then N/D does.
 #include "exact/filtered/rounded_parameter.h"
 
 #include <cmath>

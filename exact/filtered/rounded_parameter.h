@@ -10,8 +10,8 @@ namespace tribunal {
 /// λ such that the ray crosses the plane of t at o + λ·d, correctly rounded: the binary64 number nearest to the exact
 /// fraction, ties to even; subnormal where λ is, 0 where it is at most 2⁻¹⁰⁷⁵ in magnitude, and ±∞ where it is at least
 /// 2¹⁰²⁴ − 2⁹⁷⁰. Throws std::domain_error where the ray is parallel to the plane or t has no area. Operands must be
-/// finite. Neither the rounding mode nor flush-to-zero of the calling thread changes a bit. Some 100 ns where numbers of
-/// twice the precision can tell, else some microseconds.
+/// finite. Neither the rounding mode nor flush-to-zero of the calling thread changes a bit. Some 100 ns where numbers
+/// of twice the precision can tell, else some microseconds.
 double rounded_parameter(const Ray& r, const Triangle& t);
 
 /// The same where numbers of twice the precision can tell, in round-to-nearest; else nothing. (The first stage of

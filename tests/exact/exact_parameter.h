@@ -1,5 +1,5 @@
-// Where a ray meets a plane, by another formula over GMP's fractions, and rounded by MPFR: an oracle that shares no code
-// with what is on trial.
+// Where a ray meets a plane, by another formula over GMP's fractions, and rounded by MPFR: an oracle that shares no
+// code with what is on trial.
 #pragma once
 
 #include <gmpxx.h>

@@ -22,7 +22,7 @@ cmake --install "$BUILD_DIR" --prefix "$scratch/prefix" >"$scratch/log"
     name=$(basename "$example" .cpp)
     echo "add_executable($name $name.cpp)"
     echo "target_compile_options($name PRIVATE -Wall -Wextra -Werror)"
-    echo "target_link_libraries($name PRIVATE tribunal::exact)"
+    echo "target_link_libraries($name PRIVATE tribunal::tracer)"
   done
 } >"$scratch/CMakeLists.txt"
 cmake -G Ninja -S "$scratch" -B "$scratch/build" -DCMAKE_PREFIX_PATH="$scratch/prefix" -DCMAKE_CXX_COMPILER="$CXX" \
@@ -36,7 +36,7 @@ for example in "${examples[@]}"; do
 done
 
 # The headers that strangers include drag in neither CGAL nor GMP nor Highway.
-for header in filtered filtered_polygon batch; do
+for header in filtered filtered_polygon batch rounded_parameter crossing; do
   echo "#include \"exact/filtered/$header.h\"" >"$scratch/include.cpp"
   if "$CXX" -std=c++20 -I"$SOURCE_DIR" -M "$scratch/include.cpp" | grep -E 'CGAL|gmp|hwy'; then
     echo "exact/filtered/$header.h includes more than it says" >&2

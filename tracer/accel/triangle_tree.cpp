@@ -3,31 +3,12 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "exact/filtered/filtered.h"
-#include "exact/filtered/rounded_parameter.h"
 #include "exact/filtered/stages/default_rounding.h"
-#include "tracer/accel/wide/closest.h"
-#include "tracer/accel/wide/packet.h"
+#include "tracer/accel/certified.h"
+#include "tracer/accel/lanes_at_work.h"
 
 namespace tribunal {
 namespace {
-
-/// Asks the certified test.
-struct Certified {
-  const WideTree& tree;
-  const Ray& ray;
-
-  bool sees(Place p, std::uint32_t, double) const {
-    const Answer a = intersect(ray, tree.triangle(p));
-    return a.hit && a.contact != Contact::coplanar;
-  }
-  Span span(Place p, std::uint32_t) const { return BoxProbe(ray).span(box_of(tree.triangle(p))); }
-  Triangle plane(Place p, std::uint32_t) const { return tree.triangle(p); }
-  static bool is_exact() { return true; }
-  Sign order(const BoundedHit& a, const BoundedHit& b) const {
-    return compare_hits(ray, tree.triangle(a.place), tree.triangle(b.place));
-  }
-};
 
 /// All that finding the closest hit of a ray takes.
 class Search {
@@ -39,16 +20,14 @@ class Search {
   RayWalk walk() { return {&judge_.ray, &probe_, &finder_}; }
 
   std::optional<Nearest> nearest() const {
-    const std::optional<BoundedHit>& best = finder_.best();
-    if (!best) return std::nullopt;
-    if (best->bounds.are_close()) return Nearest{best->id, best->t};
-    return Nearest{best->id, rounded_parameter(judge_.ray, judge_.tree.triangle(best->place))};
+    if (!finder_.best()) return std::nullopt;
+    return judge_.handed_out(*finder_.best());
   }
 
  private:
   const WideProbe& probe_;
-  Certified judge_;
-  ClosestFinder<Certified> finder_;
+  CertifiedRay judge_;
+  ClosestFinder<CertifiedRay> finder_;
 };
 
 constexpr std::size_t batch_size = 1024;  ///< so that few walks end alone; what they need takes 300 KB of the stack
@@ -76,15 +55,6 @@ std::optional<Nearest> search(const WideTree& tree, const Ray& ray) {
   return alone.nearest();
 }
 
-/// How many of the lanes that packets took to a box had a question there.
-struct LanesAtWork {
-  std::uint64_t at_work = 0, taken = 0;
-
-  void operator+=(const LanesAtWork& more) { at_work += more.at_work, taken += more.taken; }
-  void forget_some() { at_work -= at_work / 8, taken -= taken / 8; }
-  double share() const { return taken == 0 ? 0 : static_cast<double>(at_work) / static_cast<double>(taken); }
-};
-
 /// Eight rays at a time; alone those that a packet cannot tell of, or whose t it does not know closely.
 LanesAtWork search_packets(const WideTree& tree, std::span<const Ray> rays, std::span<std::optional<Nearest>> hits) {
   LanesAtWork lanes;
@@ -105,7 +75,7 @@ LanesAtWork search_packets(const WideTree& tree, std::span<const Ray> rays, std:
         hit = Nearest{static_cast<std::uint32_t>(a.id[lane]), a.t[lane]};
       }
     }
-    lanes += {a.boxes, packet_size * a.boxes_visited};
+    lanes += LanesAtWork(a);
   }
   return lanes;
 }
@@ -117,10 +87,6 @@ void search_stream(const WideTree& tree, std::span<const Ray> rays, std::span<st
   }
 }
 
-// Measured on rays through neighbouring pixels and meshes of 16 thousand to a million triangles in warm caches: packets
-// win where more than 0.65 of their lanes are at work, by a half at 0.9, and lose as much at 0.45. In cold ones they
-// wait for memory where a stream does not.
-constexpr double alike = 0.7;
 constexpr std::size_t first_stream = batch_size - packet_size;
 
 }  // namespace
@@ -145,7 +111,7 @@ void TriangleTree::closest(std::span<const Ray> rays, std::span<std::optional<Ne
   for (std::size_t from = 0, in_a_stream = first_stream; from < rays.size();) {
     of_late += search_packets(tree_, part(rays, from, packet_size), part(hits, from, packet_size));
     from += packet_size;
-    if (of_late.share() > alike) {
+    if (of_late.share() > LanesAtWork::alike) {
       in_a_stream = first_stream;
     } else if (from < rays.size()) {
       search_stream(tree_, part(rays, from, in_a_stream), part(hits, from, in_a_stream));

@@ -4,7 +4,7 @@
 #include <type_traits>
 
 #include "exact/filtered/filtered.h"
-#include "tracer/accel/wide/closest.h"
+#include "tracer/accel/wide/queries.h"
 
 namespace tribunal {
 
@@ -221,19 +221,12 @@ namespace {
 
 /// Passes findings on, by id, to those who want them.
 template <class Hit, class Other>
-class SegmentFinder final : public Finder {
- public:
-  SegmentFinder(const WideTree& tree, const Hit& hit, const Other& other) : tree_(tree), hit_(hit), other_(other) {}
+struct PassOn {
+  const Hit& hit;
+  const Other& other;
 
-  bool found(const Finding& f) override {
-    const std::uint32_t id = tree_.id(f.place);
-    return f.certain ? hit_(id) : other_(id);
-  }
-
- private:
-  const WideTree& tree_;
-  const Hit& hit_;
-  const Other& other_;
+  bool accepts(std::uint32_t id) const { return hit(id); }
+  bool sees(Place, std::uint32_t id, double) const { return other(id); }
 };
 
 }  // namespace
@@ -248,7 +241,8 @@ std::uint64_t Visibility::along(const Segment& way, RayTally& tally, const Hit& 
   }
   const WideProbe probe(way, tree->frame());
   const auto ask = [&](std::uint32_t id) { return is_worth_asking(way, 1, id, tally) && other(id); };
-  SegmentFinder finder(*tree, hit, ask);
+  const PassOn judge{hit, ask};
+  AnyFinder finder(*tree, judge);
   finder.limit = probe.limit_at(1);
   WalkCounts counts;
   if (sifts_) {
@@ -306,7 +300,8 @@ std::vector<std::uint32_t> candidates(const World& world, const Probe& probe) {
   };
   if (const WideTree* tree = world.triangles.tree()) {
     const WideProbe boxes = std::visit([&](const auto& p) { return WideProbe(p, tree->frame()); }, probe);
-    SegmentFinder finder(*tree, add, add);
+    const PassOn judge{add, add};
+    AnyFinder finder(*tree, judge);
     WalkCounts uncounted;
     tree_target().visit_all(*tree, boxes, finder, uncounted);
   } else {

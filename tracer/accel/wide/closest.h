@@ -48,6 +48,16 @@ struct BoundedHit {
   HitBounds bounds;
 };
 
+/// Whether a hit comes before another: at a lesser exact t, or at the same and with a lesser id. Takes a copy, so that
+/// the hit itself may stay in registers: nobody else learns where it is.
+template <class Judge>
+bool comes_before(const Judge& judge, BoundedHit hit, const BoundedHit& other) {
+  if (hit.bounds.greatest < other.bounds.least) return true;
+  if (hit.bounds.least > other.bounds.greatest) return false;
+  const Sign order = judge.order(hit, other);
+  return order == Sign::negative || (order == Sign::zero && hit.id < other.id);
+}
+
 /// Keeps the closest hit: least exact t, ties by lowest id. `Judge` has
 ///   bool sees(place, id, limit)   whether an uncertain finding is a hit; no matter what if that is at t > limit;
 ///   Span span(place, id)   of the ray in the box of a hit, for hits of whose t the walk knows little;
@@ -67,7 +77,7 @@ class ClosestFinder final : public Finder {
     const HitBounds bounds = bounds_of(f, id);
     limit = probe_.limit_at(latest_);
     const BoundedHit hit{f.place, id, bounds.nearest_to(f.num / f.den), bounds};
-    if (!best_ || is_closer(hit, *best_)) best_ = hit;
+    if (!best_ || comes_before(judge_, hit, *best_)) best_ = hit;
     return false;
   }
 
@@ -89,14 +99,6 @@ class ClosestFinder final : public Finder {
     latest_ = std::min(latest_, span.last);
     if (!judge_.is_exact()) return {};
     return {std::max(bounds.least, span.first), std::min(bounds.greatest, span.last)};
-  }
-
-  /// Takes a copy, so that the hit itself may stay in registers: nobody else learns where it is.
-  bool is_closer(BoundedHit hit, const BoundedHit& than) const {
-    if (hit.bounds.greatest < than.bounds.least) return true;
-    if (hit.bounds.least > than.bounds.greatest) return false;
-    const Sign order = judge_.order(hit, than);
-    return order == Sign::negative || (order == Sign::zero && hit.id < than.id);
   }
 
   const WideTree& tree_;
