@@ -97,7 +97,8 @@ TEST(RoundedParameter, IsThatOfAnotherFormulaForFullMantissas) {
     const Point3 on_plane = a + s * (b - a) + 0.25 * (c - a);
     const Point3 anywhere = full_point(draw, size);
     const Point3 d = full_point(draw, std::ldexp(size, static_cast<int>(draw.between(-40, 40))));
-    seen({i % 2 == 0 ? on_plane : anywhere, {d}}, {a, b, c}, environments[i % 8]);
+    seen({i % 2 == 0 ? on_plane : anywhere, {d}}, {a, b, c},
+         environments[static_cast<std::size_t>(i) % std::size(environments)]);
   }
   EXPECT_EQ(seen.wrong, 0U);
   EXPECT_GT(seen.by_filter, 29'900U) << "the filter should tell nearly all of those that start away from the plane";

@@ -130,7 +130,7 @@ TEST_P(TreeQueries, AreExactAtEveryScale) {
       const testing::ScaledScene scene = testing::scaled_scene(format, k);
       const TriangleTree tree(scene.triangles);
       for (std::size_t r = 0; r < scene.rays.size(); ++r) {
-        const auto [all, any] = ask(tree, scene.rays[r], testing::environments[k % 8]);
+        const auto [all, any] = ask(tree, scene.rays[r], testing::environments[k % std::size(testing::environments)]);
         ASSERT_EQ(any, !all.empty());
         ASSERT_EQ(any, scene.closest[r].has_value()) << "scene " << k << " ray " << r;
         ASSERT_TRUE(all.empty() || all[0].id == *scene.closest[r]) << "scene " << k << " ray " << r;
