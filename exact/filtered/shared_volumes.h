@@ -146,7 +146,8 @@ struct Conclusion {
 ///   to ±bound only. But if the ray met the triangle, at t, then t·d would lead from source into the triangle, and be
 ///   no longer than two arms on any axis; so t·toward is known up to ±bound too, and too small to take the source down
 ///   to the plane.
-/// decision.g and ray_decision.g prove these, range.g and ray_range.g that underflow does not spoil them; docs/error-bounds.md has the argument.
+/// decision.g and ray_decision.g prove these, range.g and ray_range.g that underflow does not spoil them;
+/// docs/error-bounds.md has the argument.
 template <class P, class N>
 Conclusion<N> conclude(const Arms<N>& arms, const PairConstants<N>& c) {
   const Vec3<N> m = largest(arms);

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "exact/families/axis_maps.h"
+#include "exact/families/query_vectors.h"
 #include "exact/harness/affine_frame.h"
 #include "exact/harness/coordinate_rules.h"
-#include "exact/families/query_vectors.h"
 
 namespace tribunal {
 namespace {

@@ -1,9 +1,12 @@
 // The families of polygon cases.
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <cstdlib>
 
 #include "exact/families/affine.h"
+#include "exact/families/probe.h"
 #include "exact/families/shapes.h"
 #include "exact/families/ulp.h"
 #include "exact/polygon/family.h"
@@ -61,13 +64,21 @@ PolygonData image(const AffineMap& map, std::span<const PlaneRing> rings) {
 
 Direction difference(const Point3& from, const Point3& to) { return {to - from}; }
 
-/// The segment, or one time in four the ray from its source through its target where that direction is exact.
+/// The segment, or one time in four the ray from its source through its target where that direction is exact; it then
+/// has a size of its own, over the whole range of the format, which changes no contact.
 Probe draw_probe(Draw& draw, Format format, const Segment& s) {
   const bool as_ray = draw.below(4) == 0;
   const Direction d = difference(s.p, s.q);
   const bool exact = is_exact_in(d.v, format) && s.p + d.v == s.q && s.q - d.v == s.p;
-  if (as_ray && exact) return Ray{s.p, d};
-  return s;
+  if (!as_ray || !exact) return s;
+  std::array<Scaled, 3> coordinates;
+  for (int i = 0; i < 3; ++i) {
+    coordinates[static_cast<std::size_t>(i)] = tribunal::difference(s.p[i], s.q[i], format);
+  }
+  const ExponentRange range = exact_exponents(coordinates, format);
+  const int e =
+      draw.below(2) == 0 ? static_cast<int>(draw.between(range.lo, range.hi)) : std::clamp(0, range.lo, range.hi);
+  return Ray{s.p, scaled(coordinates, e)};
 }
 
 /// Through, from or to (x, 0), along a random direction that leaves the plane.
@@ -219,6 +230,70 @@ PolygonTrial make_warped(Format format, std::uint64_t seed, std::uint64_t k) {
           .level = static_cast<std::uint16_t>(level)};
 }
 
+// --- rings without number ------------------------------------------------------------------------------------------
+
+/// A wall of `teeth` teeth on a strip, and `holes` ≤ `teeth` triangular holes in the strip. Tooth i stands on
+/// 4i ≤ u ≤ 4i + 2, 0 ≤ v ≤ 8; the strip is −8 ≤ v ≤ 0; hole j has the corners (4j + 1, −2), (4j + 3, −2), (4j + 2,
+/// −6). So each vertex, and each ring, decides some answer by itself.
+std::vector<PlaneRing> wall_with_holes(int teeth, int holes) {
+  PlaneRing wall;
+  for (int i = 0; i < teeth; ++i) wall.insert(wall.end(), {{4 * i, 0}, {4 * i, 8}, {4 * i + 2, 8}, {4 * i + 2, 0}});
+  wall.insert(wall.end(), {{4 * teeth, 0}, {4 * teeth, -8}, {0, -8}});
+  std::vector<PlaneRing> rings{wall};
+  for (int j = 0; j < holes; ++j) rings.push_back({{4 * j + 1, -2}, {4 * j + 3, -2}, {4 * j + 2, -6}});
+  return rings;
+}
+
+/// In a tooth, in the gap after it, in a hole, between two holes, at a corner of a tooth or of a hole.
+PlanePoint draw_wall_point(Draw& draw, int teeth, int holes) {
+  const auto any = [&](int n) { return static_cast<int>(draw.below(static_cast<std::uint64_t>(n))); };
+  const int tooth = 4 * any(teeth), hole = 4 * any(std::max(holes, 1));
+  const PlanePoint points[] = {{tooth + 1, 4}, {tooth + 3, 4}, {hole + 2, -3},
+                               {hole + 4, -4}, {tooth + 2, 8}, {hole + 3, -2}};
+  return points[draw.below(std::size(points))];
+}
+
+constexpr int most_teeth[] = {4, 20, 80, 300, 1000};
+std::span<const int> teeth_levels(Format) { return most_teeth; }
+
+/// Three in four cases are at the first level, three in four of the rest at the second, and so on: oracles take their
+/// time over the long ones.
+std::size_t level_with_tail(std::uint64_t k) {
+  return std::min<std::size_t>(static_cast<std::size_t>(std::countr_one(k)) / 2, std::size(most_teeth) - 1);
+}
+
+/// Teeth between the level before and this one, any number of holes with a tail; rings in any order, each from any
+/// start. The probe is up to 2¹⁴ times as long as the polygon is high, where the format holds it.
+PolygonTrial make_many(Format format, std::uint64_t seed, std::uint64_t k) {
+  Draw draw(108, seed, k);
+  const std::size_t level = level_with_tail(k);
+  const int teeth = static_cast<int>(draw.between(level == 0 ? 1 : most_teeth[level - 1], most_teeth[level]));
+  const int holes = static_cast<int>(draw.below(2) == 0 ? draw.between(0, std::min(teeth, 3)) : draw.between(0, teeth));
+  const PlanePoint x = draw_wall_point(draw, teeth, holes);
+  std::vector<PlaneRing> rings = wall_with_holes(teeth, holes);
+  for (PlaneRing& ring : rings) {
+    const auto start = static_cast<std::ptrdiff_t>(draw.below(ring.size()));
+    std::rotate(ring.begin(), ring.begin() + start, ring.end());
+  }
+  std::swap(rings[0], rings[draw.below(rings.size())]);
+  const int bits = format == Format::binary32 ? 4 : 30;
+  const AffineMap map = draw_map(draw, bits);
+  const int longest =
+      digits_of(format) - bits - 6;  // 16·2^bits·2^longest and the wall stay within the format's integers
+  const std::int64_t length = std::int64_t{1} << draw.between(0, std::min(longest, 14));
+  const auto approach = static_cast<Approach>(draw.below(approach_count));
+  const auto at = [&](std::int64_t along) { return image(map, {{x.u, x.v, along}}); };
+  const Point3 above = at(length), below = at(-length);
+  const bool up = draw.below(2) == 0;
+  const Point3 &near_end = up ? below : above, &far_end = up ? above : below;
+  const Segment s = approach == Approach::through ? Segment{near_end, far_end}
+                    : approach == Approach::from  ? Segment{at(0), far_end}
+                                                  : Segment{near_end, at(0)};
+  return {.query = {draw_probe(draw, format, s), image(map, rings)},
+          .format = format,
+          .level = static_cast<std::uint16_t>(level)};
+}
+
 /// A star-shaped ring in a random plane, each vertex rounded: planar as it comes from a modelling program. The probe
 /// aims at a vertex, a point of an edge or spoke, or anywhere near, as it rounds.
 PolygonTrial make_rounded(Format format, std::uint64_t seed, std::uint64_t k) {
@@ -243,7 +318,8 @@ PolygonTrial make_rounded(Format format, std::uint64_t seed, std::uint64_t k) {
   const Point3 x = aim == 0 ? a : aim == 1 ? a + along * (b - a) : draw_in_plane(draw, format, frame);
   const Point3 v = draw_point(draw, format);
   const Segment s = through(x, v, v);
-  return {.query = {Segment{in_format(s.p, format), in_format(s.q, format)}, std::move(polygon)},
+  const Segment rounded{in_format(s.p, format), in_format(s.q, format)};
+  return {.query = {draw_probe(draw, format, rounded), std::move(polygon)},
           .format = format,
           .level = static_cast<std::uint16_t>(level)};
 }
@@ -266,6 +342,8 @@ std::span<const PolygonFamily> all_polygon_families() {
        "bits of the map's entries", false, fills, make_warped},
       {"polygon-rounded", "star-shaped rings planar up to rounding, aimed at vertices, edges and spokes",
        "random rings in [-1,1]^3 as they round", "vertices", false, count_levels, make_rounded},
+      {"polygon-many", "thousands of vertices and rings, each of which decides an answer; probes 2^14 times as long",
+       "exact affine images of a wall of teeth with holes", "teeth, at most", false, teeth_levels, make_many},
   };
   return table;
 }

@@ -325,7 +325,7 @@ TEST_F(CertificateTest, OfPolygonsSpeaksOfConstructionsAndOutcomes) {
       if (group.name.ends_with("by rays")) continue;
       EXPECT_EQ(c.coverage.judged(format, group), static_cast<int>(group.size)) << group.name;
     }
-    EXPECT_EQ(c.coverage.total(format, Operands::polygons).asked, 7 * cases_of_tiny);
+    EXPECT_EQ(c.coverage.total(format, Operands::polygons).asked, all_polygon_families().size() * cases_of_tiny);
   }
   for (const Gap& gap : c.gaps) EXPECT_TRUE(gap.explained) << gap.what << ": " << gap.reason;
   const Verification v = verify(directory_);

@@ -1,4 +1,6 @@
 // Bugs in the polygon test: its covering, its count, its planes.
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "core/segura_feito_polygon.h"
@@ -142,6 +144,61 @@ PolygonAnswer planar_as_it_rounds(const Probe& probe, const Polygon& polygon) {
   return answer;
 }
 
+/// The answer about another polygon, but for `planar`.
+PolygonAnswer about(const Polygon& other, const Probe& probe, const Polygon& polygon) {
+  PolygonAnswer answer = right(probe, other);
+  answer.planar = right(probe, polygon).planar;
+  return answer;
+}
+
+/// Rings are copied into a buffer of 64 vertices.
+PolygonAnswer buffer_of_64(const Probe& probe, const Polygon& polygon) {
+  PolygonData cut;
+  for (std::size_t r = 0; r < polygon.rings(); ++r) {
+    const Ring ring = polygon.ring(r);
+    cut.add({ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(ring.size(), 64))});
+  }
+  return about(cut, probe, polygon);
+}
+
+PolygonAnswer four_rings(const Probe& probe, const Polygon& polygon) {
+  return about(first_rings(polygon, std::min<std::size_t>(polygon.rings(), 4)), probe, polygon);
+}
+
+/// One ring is lost where there are many.
+PolygonAnswer a_hole_cut_off(const Probe& probe, const Polygon& polygon) {
+  PolygonData cut;
+  for (std::size_t r = 0; r < polygon.rings(); ++r) {
+    const Ring ring = polygon.ring(r);
+    if (r == 0 || r != polygon.rings() / 2) cut.add({ring.begin(), ring.end()});
+  }
+  return about(cut, probe, polygon);
+}
+
+double size_of(const Point3& p) { return std::fabs(p.x) + std::fabs(p.y) + std::fabs(p.z); }
+
+/// Probes more than 10⁴ times as long as the polygon's first edge find nothing.
+PolygonAnswer long_probes_lost(const Probe& probe, const Polygon& polygon) {
+  PolygonAnswer answer = right(probe, polygon);
+  const auto* s = std::get_if<Segment>(&probe);
+  if (s == nullptr || polygon.vertices.size() < 2) return answer;
+  const double edge = size_of(polygon.vertices[1] - polygon.vertices[0]);
+  if (size_of(s->q - s->p) > 1e4 * edge && edge > 0) answer.answer.hit = false;
+  return answer;
+}
+
+PolygonAnswer ray_as_line(const Probe& probe, const Polygon& polygon) {
+  const PolygonAnswer forward = right(probe, polygon);
+  const auto* r = std::get_if<Ray>(&probe);
+  return r == nullptr || forward.answer.hit ? forward : right(Ray{r->o, {-r->d.v}}, polygon);
+}
+
+/// A direction shorter than 2⁻¹⁰⁰ is none.
+PolygonAnswer tiny_directions_flushed(const Probe& probe, const Polygon& polygon) {
+  const auto* r = std::get_if<Ray>(&probe);
+  return r == nullptr || size_of(r->d.v) > 0x1p-100 ? right(probe, polygon) : right(Ray{r->o, {Point3(0)}}, polygon);
+}
+
 using PolygonDecision = PolygonAnswer (*)(const Probe&, const Polygon&);
 
 /// A method that claims to be exact on polygons, and takes no triangles.
@@ -173,6 +230,12 @@ std::vector<Method> polygon_bugs() {
       polygon_method("planted-open-rings", "the edge back to the first vertex is excluded", rings_not_closed),
       polygon_method("planted-no-vertices", "ring vertices are excluded", vertices_excluded),
       polygon_method("planted-no-plane", "probes in the plane miss", in_plane_missed),
+      polygon_method("planted-64-vertices", "rings are cut off after 64 vertices", buffer_of_64),
+      polygon_method("planted-four-rings", "only four rings are looked at", four_rings),
+      polygon_method("planted-hole-cut-off", "one of many rings is lost", a_hole_cut_off),
+      polygon_method("planted-long-probes", "probes 10^4 times as long as an edge are lost", long_probes_lost),
+      polygon_method("planted-polygon-ray-line", "the ray is taken for its line", ray_as_line),
+      polygon_method("planted-polygon-directions", "short directions are flushed to zero", tiny_directions_flushed),
       polygon_method("planted-plane-edges", "probes in the plane hit on ring edges only", inside_in_plane_missed),
   };
 }
