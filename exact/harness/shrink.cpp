@@ -11,7 +11,7 @@
 #include "exact/families/axis_maps.h"
 #include "exact/families/query_vectors.h"
 #include "exact/harness/affine_frame.h"
-#include "exact/harness/coordinate_rules.h"
+#include "exact/harness/shrink_run.h"
 
 namespace tribunal {
 namespace {
@@ -64,67 +64,35 @@ constexpr FrameRounding frame_roundings[] = {
     [](double x, double unit) { return std::ceil(x / unit) * unit; },
 };
 
-class Shrinker {
+struct TriangleShrinking {
+  using Query = tribunal::Query;
+  using Truth = tribunal::Truth;
+
+  static Cost cost_of(const Query& query) { return tribunal::cost_of(query); }
+  static QueryVectors vectors_of(Query& query) { return tribunal::vectors_of(query); }
+  static bool same_case(const Truth& a, const Truth& b) { return a.class_id == b.class_id && a.contact == b.contact; }
+};
+
+class TriangleShrinker : public Shrinker<TriangleShrinking> {
  public:
-  Shrinker(const Method& method, const Query& query, Format format, int budget)
-      : method_(method),
-        format_(format),
-        budget_(budget),
-        best_(query),
-        cost_(cost_of(query)),
-        truth_(exact_truth(query)),
-        wrong_(method.ask(query).hit) {}
-
-  Query run() {
-    while (pass() && budget_ > 0) {
-    }
-    return best_;
-  }
-
- private:
-  /// Takes the candidate if it is simpler and still the same counterexample.
-  bool offer(const Query& candidate) {
-    const Cost cost = cost_of(candidate);
-    if (cost >= cost_ || budget_ <= 0) return false;
-    const Truth truth = exact_truth(candidate);
-    if (truth.class_id != truth_.class_id || truth.contact != truth_.contact) return false;
-    --budget_;
-    const Answer answer = method_.ask(candidate);
-    if (answer.status != Status::ok || answer.hit != wrong_) return false;
-    best_ = candidate;
-    cost_ = cost;
-    return true;
-  }
+  TriangleShrinker(const Method& method, const Query& query, Format format)
+      : Shrinker(method, query, format), format_(format) {}
 
   bool pass() {
-    bool simpler = false;
-    simpler |= take_smaller_frame();
+    bool simpler = take_smaller_frame();
     for (int axis = 0; axis < 3; ++axis) {
       for (std::size_t vertex = 0; vertex < 4; ++vertex) simpler |= translate(axis, vertex);
       simpler |= scale(axis);
     }
-    for (int axis = 0; axis < 3; ++axis) {
-      for (const double value : distinct_values(vectors_of(best_).v, axis)) simpler |= simplify(axis, value);
-    }
+    simpler |= simplify_values();
     return simpler || take_least_image();
   }
 
-  bool translate(int axis, std::size_t vertex) {
-    Query candidate = best_;
-    const QueryVectors c = vectors_of(candidate);
-    const std::span points(c.v.data(), static_cast<std::size_t>(c.points));
-    return translate_exactly(points, axis, (*c.v[vertex])[axis], format_) && offer(candidate);
-  }
-
-  bool scale(int axis) {
-    Query candidate = best_;
-    return scale_exactly(vectors_of(candidate).v, axis, format_) && offer(candidate);
-  }
-
+ private:
   bool take_smaller_frame() {
     for (const int bits : frame_bits) {
       for (const FrameRounding round : frame_roundings) {
-        const std::optional<Query> candidate = in_smaller_frame(best_, format_, bits, round);
+        const std::optional<Query> candidate = in_smaller_frame(best(), format_, bits, round);
         if (candidate && offer(*candidate)) return true;
       }
     }
@@ -134,38 +102,24 @@ class Shrinker {
   /// From the simplest image up, until one is still answered wrongly.
   bool take_least_image() {
     std::vector<std::pair<Cost, Query>> simpler;
-    for (const Query& image : images_of(best_)) {
-      const Cost cost = cost_of(image);
-      if (cost < cost_) simpler.emplace_back(cost, image);
+    for (const Query& image : images_of(best())) {
+      const Cost cost_of_image = cost_of(image);
+      if (cost_of_image < cost()) simpler.emplace_back(cost_of_image, image);
     }
     std::ranges::stable_sort(simpler, {}, &std::pair<Cost, Query>::first);
     return std::ranges::any_of(simpler, [&](const auto& image) { return offer(image.second); });
   }
 
-  /// All coordinates of this value on the axis move together.
-  bool simplify(int axis, double value) {
-    const std::vector<double> simpler = simpler_values(value);
-    return std::ranges::any_of(simpler, [&](double by) { return replace(axis, value, by); });
-  }
-
-  bool replace(int axis, double value, double by) {
-    Query candidate = best_;
-    return replace_value(vectors_of(candidate).v, axis, value, by, format_) && offer(candidate);
-  }
-
-  const Method& method_;
   const Format format_;
-  int budget_;
-  Query best_;
-  Cost cost_;
-  const Truth truth_;
-  const bool wrong_;
 };
 
 }  // namespace
 
-Query shrink(const Method& method, const Query& query, Format format, int budget) {
-  return Shrinker(method, query, format, budget).run();
+Query shrink(const Method& method, const Query& query, Format format) {
+  TriangleShrinker shrinker(method, query, format);
+  while (shrinker.pass()) {
+  }
+  return shrinker.best();
 }
 
 bool is_simpler(const Query& a, const Query& b) { return cost_of(a) < cost_of(b); }
