@@ -48,7 +48,7 @@ def check(case):
     finding = case.get("finding", {"exact": None})
     coplanar = exact["abcp"] == exact["abcq"] == 0
     due = int(hit and not (coplanar and finding.get("convention") == "transversal"))
-    return finding["exact"] == exact and case["expect"] == hit and finding["expected"] == due != finding["answered"]
+    return finding["exact"] == exact and case["expect"] == hit and (finding["expected"] == due != finding.get("answered", 1 - due))
 
 def to_case(line):
     case = json.loads(line)

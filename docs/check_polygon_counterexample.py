@@ -75,7 +75,7 @@ def check(case):
     hit = exact["contact"] != "none"
     due = int(hit and not (exact["contact"] == "coplanar" and finding.get("convention") == "transversal"))
     if not finding: return case.get("expect", hit) == hit
-    return finding["exact"] == exact and case["expect"] == hit and finding["expected"] == due != finding["answered"]
+    return finding["exact"] == exact and case["expect"] == hit and (finding["expected"] == due != finding.get("answered", 1 - due))
 
 if __name__ == "__main__":
     report(read_cases(sys.argv[1]) if len(sys.argv) == 2 else sys.exit(__doc__), check)

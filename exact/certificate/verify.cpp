@@ -23,7 +23,8 @@ bool is_counterexample(const C& c) {
   const bool transversal = c.finding.value("convention", "") == name_of(Convention::transversal);
   const bool due = counts_as_hit(truth.contact, transversal ? Convention::transversal : Convention::closed);
   return mistaken_claim(c, truth).empty() && c.finding.value("expected", -1) == (due ? 1 : 0) &&
-         c.finding.value("answered", -1) == (due ? 0 : 1) &&
+         (c.finding.contains("fault") ? !c.finding.contains("answered")
+                                      : c.finding.value("answered", -1) == (due ? 0 : 1)) &&
          c.finding.value("exact", Json()) == exact_evidence(c.query);
 }
 

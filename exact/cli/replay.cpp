@@ -33,10 +33,15 @@ const Method& method_of(const C& c, const std::string& given, const std::string&
 int run_shrink(const std::string& file, const std::string& method, const std::string& out) {
   require_different(file, out);
   std::string lines;
-  const auto add = [&](const auto& c) { lines += from_case(shrunk(c, method_of(c, method, file))).dump() + "\n"; };
+  bool faults = false;
+  const auto add = [&](const auto& c) {
+    const auto small = shrunk(c, method_of(c, method, file));
+    faults |= small.finding.contains("fault");
+    lines += from_case(small).dump() + "\n";
+  };
   for (const AnyCase& c : read_any_cases(file)) std::visit(add, c);
   write_file(out, lines);
-  return 0;
+  return code(faults ? Exit::disagreement : Exit::ok);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include "exact/classes/class_table.h"
 #include "exact/harness/describe.h"
 #include "exact/harness/environment.h"
-#include "exact/harness/fp_environment.h"
+#include "exact/harness/observe.h"
 #include "exact/harness/shrink.h"
 #include "exact/io/failure.h"
 #include "exact/methods.h"
@@ -18,8 +18,7 @@ namespace {
 /// What the method says within its contract; what it says of operands beyond its format does not count.
 template <class Q, class T>
 auto answer_in_contract(const Method& method, Format format, const Q& query, const T& truth) {
-  auto answer = within_contract(method, truth, method.ask(query));
-  require_exact_rounding();  // another environment, left behind by one method, would spoil the next one's answer
+  auto answer = within_contract(method, truth, try_ask(method, query).answer);
   if (!takes(method, format)) answer = {refusal(Status::unsupported)};
   return answer;
 }
@@ -48,6 +47,46 @@ Json finding_of(const C& c, const Method& method, const T& truth, const Answer& 
   return finding;
 }
 
+/// How often a case that blames a method for answering differently is asked again.
+constexpr int times_for_known_fault = 32;
+
+bool blames_a_fault(const Json& finding) { return finding.is_object() && finding.contains("fault"); }
+
+/// In place of an answer, the fault. What it answered is not said: it answered one thing and then another.
+template <class C, class T>
+C with_fault(C c, const Method& method, const T& truth, const Fault& fault) {
+  c = with_finding(std::move(c), method, truth, {});
+  c.finding.erase("answered");
+  c.finding["answers"][method.name] = Json();
+  c.finding["fault"] = name_of(fault.kind);
+  if (!fault.detail.empty()) c.finding["detail"] = fault.detail;
+  return c;
+}
+
+/// What the method does on a query that it answered wrongly before: it is a fault if it now answers otherwise.
+template <class Q, class T>
+auto observe_wrong(const Method& method, const Q& query, const T& truth) {
+  auto seen = observe(method, query);
+  const bool right_now = judge(method, truth, seen.answer) != Judgement::wrong;
+  if (!seen.fault && right_now) seen.fault = Fault{FaultKind::answers_differ};
+  return seen;
+}
+
+/// The case, which the method answered wrongly, with its finding; shrunk if the method answers it the same every time.
+template <class C>
+C with_shrunk_finding(C c, const Method& method) {
+  auto truth = exact_truth(c.query);
+  auto seen = observe_wrong(method, c.query, truth);
+  if (!seen.fault) {
+    c.query = shrink(method, c.query, c.format);
+    truth = exact_truth(c.query);
+    seen = observe_wrong(method, c.query, truth);
+  }
+  if (seen.fault) return with_fault(std::move(c), method, truth, seen.fault);
+  c = with_finding(std::move(c), method, truth, seen.answer);
+  return c;
+}
+
 std::string row(const std::string& a, const std::string& b, const std::string& c, const std::string& d) {
   char line[160];
   std::snprintf(line, sizeof line, "  %-14s %-8s %-10s %s\n", a.c_str(), b.c_str(), c.c_str(), d.c_str());
@@ -57,8 +96,12 @@ std::string row(const std::string& a, const std::string& b, const std::string& c
 /// How one method did on a case, and whether that was wrong.
 template <class C, class T>
 std::string verdict_of(const Method& method, const C& c, const T& truth, bool& wrong) {
-  const auto given = method.ask(c.query);
-  require_exact_rounding();
+  const auto seen = observe(method, c.query, blames_a_fault(c.finding) ? times_for_known_fault : 1);
+  if (seen.fault) {
+    wrong = true;
+    return row(method.name, "-", "", "WRONG: " + describe(seen.fault));
+  }
+  const auto given = seen.answer;
   const Answer answer = plain(given);
   if (answer.status != Status::ok) return row(method.name, "-", "", std::string(name_of(answer.status)));
   const auto says = [&](const char* verdict) {
@@ -111,10 +154,9 @@ PolygonCase with_finding(PolygonCase c, const Method& method, const PolygonTruth
 template <class On>
 typename On::Case to_counterexample(const Method& method, const typename On::Query& query, Format format,
                                     const std::string& source) {
-  typename On::Case c{.format = format, .query = shrink(method, query, format), .source = source};
-  const auto truth = exact_truth(c.query);
-  c = with_finding(c, method, truth, method.ask(c.query));
-  c.id = method.name + "-" + id_part(truth);
+  typename On::Case c{.format = format, .query = query, .source = source};
+  c = with_shrunk_finding(std::move(c), method);
+  c.id = method.name + "-" + id_part(exact_truth(c.query));
   return c;
 }
 
@@ -135,12 +177,13 @@ typename On::Case to_counterexample(const BasicFuzzPlan<On>& plan, const BasicFi
 
 template <class C>
 C shrunk(C c, const Method& method) {
-  if (judge(method, exact_truth(c.query), method.ask(c.query)) != Judgement::wrong) {
+  const auto truth = exact_truth(c.query);
+  const auto seen = observe(method, c.query, blames_a_fault(c.finding) ? times_for_known_fault : 1);
+  if (!seen.fault && judge(method, truth, seen.answer) != Judgement::wrong) {
     throw Failure(Exit::bad_input, c.id + ": " + method.name + " answers it rightly, expected a counterexample");
   }
-  c.query = shrink(method, c.query, c.format);
   const Json origin = c.finding.is_object() ? c.finding.value("origin", Json()) : Json();
-  c = with_finding(c, method, exact_truth(c.query), method.ask(c.query));
+  c = seen.fault ? with_fault(std::move(c), method, truth, seen.fault) : with_shrunk_finding(std::move(c), method);
   if (!origin.is_null()) c.finding["origin"] = origin;
   return c;
 }
