@@ -1,30 +1,26 @@
 // What a method may do that is no answer.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "exact/io/failure.h"
 
 namespace tribunal {
 
-enum class FaultKind : std::uint8_t { none, answers_differ, threw, crashed, timed_out };
-
-inline constexpr FaultKind fault_kinds[] = {FaultKind::none, FaultKind::answers_differ, FaultKind::threw,
-                                            FaultKind::crashed, FaultKind::timed_out};
+enum class FaultKind : std::uint8_t { none, answers_differ, threw };
 
 constexpr std::string_view name_of(FaultKind kind) {
-  constexpr std::string_view names[] = {"", "answers differently when asked twice", "threw", "crashed", "timed out"};
+  constexpr std::string_view names[] = {"", "answers differently when asked twice", "threw"};
   return names[static_cast<int>(kind)];
 }
 
 /// What a method did on a query in place of being a function of it, if anything.
 struct Fault {
   FaultKind kind = FaultKind::none;
-  std::string detail{};  ///< which exception, signal or limit; may be empty
+  std::string detail{};  ///< which exception; may be empty
 
   explicit operator bool() const { return kind != FaultKind::none; }
 };
@@ -38,16 +34,12 @@ inline std::string describe(const Fault& fault) {
 /// case.
 class MethodFault : public Failure {
  public:
-  /// `at`: of a batch, the first query without an answer, which is the one that did it; those before it are answered.
-  MethodFault(Fault fault, const std::string& line, std::optional<std::size_t> at = std::nullopt)
-      : Failure(Exit::disagreement, line), fault_(std::move(fault)), at_(at) {}
+  MethodFault(Fault fault, const std::string& line) : Failure(Exit::disagreement, line), fault_(std::move(fault)) {}
 
   const Fault& fault() const { return fault_; }
-  std::optional<std::size_t> at() const { return at_; }
 
  private:
   Fault fault_;
-  std::optional<std::size_t> at_;
 };
 
 }  // namespace tribunal

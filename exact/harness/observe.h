@@ -1,4 +1,4 @@
-// Asking a method that may be no function: it may throw, crash, or answer otherwise when it is asked again.
+// Asking a method that may be no function: it may throw, or answer otherwise when it is asked again.
 #pragma once
 
 #include "core/method.h"

@@ -6,7 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "exact/harness/fault.h"
 #include "exact/harness/fp_environment.h"
+#include "exact/io/case_io.h"
 #include "exact/io/failure.h"
 #include "exact/io/json.h"
 #include "exact/kernels/dyadic.h"
@@ -150,7 +152,7 @@ class Caller {
     if (ask_ == nullptr) return refusal(Status::unsupported);
     const Coordinates x = coordinates_of(probe, t, line_.format);
     if (!is_finite(x)) return refusal(Status::unsupported);
-    const int said = ask_(kind_of(probe), x.data());
+    const int said = call(probe, t, x);
     line_.require_same_environment();
     return line_.answer_from(said);
   }
@@ -160,6 +162,20 @@ class Caller {
   }
 
  private:
+  /// The plugin's answer. What it throws, against its promise, is a fault that names the case.
+  template <class P>
+  int call(const P& probe, const Triangle& t, const Coordinates& x) const {
+    std::string what = "an exception of its own";
+    try {
+      return ask_(kind_of(probe), x.data());
+    } catch (const std::exception& error) {
+      what = error.what();
+    } catch (...) {
+    }
+    const Case thrown{.id = "threw", .query = {probe, t}};
+    throw MethodFault({FaultKind::threw, what}, line_.file + ": threw " + what + ", on " + from_case(thrown).dump());
+  }
+
   /// One call for all queries whose probe is of the kind.
   void ask_kind(int kind, std::span<const Query> queries, std::span<Answer> answers) const {
     constexpr int not_answered = -1;

@@ -19,7 +19,7 @@ diff out - <<'EOF'
 {"id":"through","method":"mt-double","hit":1,"status":"ok"}
 {"id":"corner","method":"sf-rational","hit":1,"status":"ok","class":"C017","contact":"vertex","at":"between"}
 {"id":"corner","method":"mt-double","hit":1,"status":"ok"}
-{"id":"in the plane","method":"sf-rational","hit":1,"status":"ok","contact":"coplanar"}
+{"id":"in the plane","method":"sf-rational","hit":1,"status":"ok","class":"R077","contact":"coplanar"}
 {"id":"in the plane","method":"mt-double","hit":0,"status":"ok","contact":"none"}
 {"id":"point on point","method":"sf-rational","hit":1,"status":"ok","class":"C163","contact":"coplanar","at":"source"}
 {"id":"point on point","method":"mt-double","hit":0,"status":"ok","contact":"none"}

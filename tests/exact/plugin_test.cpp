@@ -139,6 +139,21 @@ TEST(Plugin, AnswersThatAreNoneAreRefused) {
   EXPECT_EQ(exit_of([&] { batch_answers(method, {through}); }), Exit::bad_input);
 }
 
+TEST(Plugin, AnExceptionIsOneLineWithTheCase) {
+  tribunal_plugin plugin = sound_plugin();
+  plugin.ask = [](int, const double*) -> int { throw std::runtime_error("no memory"); };
+  try {
+    plugin_method(plugin, "x.so").ask(through);
+    FAIL() << "nothing was thrown";
+  } catch (const Failure& failure) {
+    EXPECT_EQ(failure.exit(), Exit::disagreement);
+    const std::string line = failure.what();
+    EXPECT_TRUE(line.starts_with("x.so: threw no memory, on {")) << line;
+    EXPECT_NE(line.find("\"tri\""), std::string::npos) << line;
+    EXPECT_EQ(line.find('\n'), std::string::npos);
+  }
+}
+
 TEST(Plugin, ChangedRoundingIsNoticed) {
   tribunal_plugin plugin = sound_plugin();
   plugin.ask = [](int, const double*) { return std::fesetround(FE_DOWNWARD) + TRIBUNAL_HIT; };
