@@ -65,8 +65,8 @@ ChirotopeCode code_of(const SignOf& sign) {
 /// last in a subset.
 template <class X>
 struct FiveElements {
-  const Point3* points[4];
   const X* last;
+  const Point3* points[4];
 
   /// ask(element) with the subset's last element, whatever it is.
   template <class Ask>
@@ -101,7 +101,7 @@ ChirotopeCode pairs(const FiveElements<X>& v, const K& k) {
 template <Kernel K, class P>
 Chirotope chirotope(const P& probe, const Triangle& t, const K& k) {
   const auto& last = target(probe);
-  const FiveElements<std::remove_cvref_t<decltype(last)>> v{{&t.a, &t.b, &t.c, &source(probe)}, &last};
+  const FiveElements<std::remove_cvref_t<decltype(last)>> v{&last, {&t.a, &t.b, &t.c, &source(probe)}};
   if (const ChirotopeCode code = tetrahedra(v, k); code.any()) return code.of_rank(4);
   for (const Axis dropped : all_axes) {
     if (const ChirotopeCode code = triangles(dropped, v, k); code.any()) return code.of_rank(3);
