@@ -135,6 +135,7 @@ std::string outside_contract(const Certificate& c) {
 /// A construction that came up with the other kind of probe is not missing.
 bool came_up_otherwise(const Certificate& c, const Stratum& empty) {
   const Slot other = with_other_probe(empty.slot);
+  if (other == empty.slot) return false;
   return std::ranges::any_of(
       c.strata, [&](const Stratum& s) { return s.stream == empty.stream && s.slot == other && s.count.asked > 0; });
 }
@@ -267,10 +268,7 @@ bool Certificate::contract_has(bool rays) const {
 Count Certificate::sampled(bool rays) const {
   Count total;
   for (const SampleRow& row : this->rows) {
-    if (row.family == own_cases) continue;
-    for (const auto& [slot, count] : row.counts) {
-      if (is_of_rays(slot) == rays) total += count;
-    }
+    if (row.family != own_cases) total += total_of(row, rays);
   }
   return total;
 }

@@ -59,9 +59,10 @@ void require_streams(Debts& debts, const LogRecords& log, const Owed& owed) {
 
 void require_taken(Debts& debts, const Certificate& c) {
   const Method* const method = find_method(c.method());
+  if (method == nullptr) return;
   for (const SampledStream& s : c.streams) {
-    const bool due = s.format == Format::binary32 || method == nullptr || method->format == Format::binary64;
-    if (!s.is_own()) debts.unless(s.taken == due || method == nullptr, "whether " + s.family + " was taken is changed");
+    if (s.is_own()) continue;
+    debts.unless(s.taken == takes(*method, s.format), "whether " + s.family + " was taken is changed");
   }
 }
 

@@ -149,15 +149,6 @@ std::string stress_of(const Certificate& c, const SampleRow& row) {
   return "";
 }
 
-/// What the row counted of rays, or of segments.
-Count total_of(const SampleRow& row, bool rays) {
-  Count total;
-  for (const auto& [slot, count] : row.counts) {
-    if (is_of_rays(slot) == rays) total += count;
-  }
-  return total;
-}
-
 std::string sampled_table(const Certificate& c) {
   std::string text =
       "| family | format | probes | stress | cases | wrong | rate | 95 % upper bound |\n"

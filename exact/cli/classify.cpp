@@ -14,9 +14,7 @@ struct Options {
 
 /// With the class where the method can tell it.
 Answer answer_to(const Method& method, const Query& query) {
-  const Answer answer = method.ask(query);
-  if (!method.classify || answer.status != Status::ok) return answer;
-  return method.classify(query.probe, query.triangle);
+  return method.classify ? method.classify(query.probe, query.triangle) : method.ask(query);
 }
 
 /// `unsupported` where the method promises nothing, which takes the exact answer to tell.

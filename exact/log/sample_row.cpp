@@ -23,6 +23,14 @@ Count total_of(const SampleRow& row) {
   return total;
 }
 
+Count total_of(const SampleRow& row, bool rays) {
+  Count total;
+  for (const auto& [slot, count] : row.counts) {
+    if (is_of_rays(slot) == rays) total += count;
+  }
+  return total;
+}
+
 Json to_array(const Count& count) {
   const auto numbers = numbers_of(count);
   std::size_t length = numbers.size();

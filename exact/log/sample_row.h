@@ -23,6 +23,9 @@ struct SampleRow {
 
 Count total_of(const SampleRow& row);
 
+/// What the row counted of rays, or of segments.
+Count total_of(const SampleRow& row, bool rays);
+
 /// All rows of a report in which anything was asked, in the plan's order.
 template <class On>
 std::vector<SampleRow> rows_of(const BasicFuzzPlan<On>& plan, const BasicFuzzReport<On>& report) {
