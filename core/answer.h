@@ -8,8 +8,8 @@
 namespace tribunal {
 
 /// Where the probe meets the triangle. `coplanar`: they lie in one plane and meet there. A degenerate
-/// triangle that is met, and a point that lies in the triangle's plane, are always coplanar contacts. `unsaid`: a hit
-/// by a method that does not tell.
+/// triangle that is met, and a point that lies in the triangle's plane, are always coplanar contacts; of a polygon,
+/// those of a planar one with a probe in its plane. `unsaid`: a hit by a method that does not tell.
 enum class Contact : std::uint8_t { none, interior, edge, vertex, coplanar, unsaid };
 
 /// Which part of the probe is in contact, where exactly one point is. `unsaid` otherwise.
@@ -32,6 +32,7 @@ struct Answer {
   At at = At::unsaid;
   Status status = Status::ok;
   Stage stage = Stage::none;
+  bool planar = true;  ///< the polygon's vertices lie in one plane; true of every triangle
   ClassId class_id = 0;
 
   friend bool operator==(const Answer&, const Answer&) = default;

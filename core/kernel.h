@@ -3,7 +3,7 @@
 
 #include <concepts>
 
-#include "core/query.h"
+#include "core/operands.h"
 #include "core/sign.h"
 #include "core/signed_volume.h"
 

@@ -1,7 +1,6 @@
 // A method: one intersection test under trial, with what it promises.
 #pragma once
 
-#include <concepts>
 #include <functional>
 #include <span>
 #include <string>
@@ -19,8 +18,8 @@ namespace tribunal {
 
 /// A method's answers about one polygon, which it may have prepared. Views the polygon, which must outlive it.
 struct PreparedPolygon {
-  std::function<PolygonAnswer(const Segment&)> segment;
-  std::function<PolygonAnswer(const Ray&)> ray;
+  std::function<Answer(const Segment&)> segment;
+  std::function<Answer(const Ray&)> ray;
 };
 
 /// What a method promises of polygons, beside its convention.
@@ -48,9 +47,9 @@ struct Method {
   /// Sign of t₁ − t₂ for two triangles that the ray crosses; empty if the method has no opinion.
   std::function<Sign(const Ray&, const Triangle&, const Triangle&)> compare_hits;
 
-  /// Answers to many queries at once, one each, as `ask` would give them; empty if the method has no batch form.
+  /// Answers about many pairs at once, one each, as `ask` would give them; empty if the method has no batch form.
   /// The operands are finite.
-  std::function<void(std::span<const Query>, std::span<Answer>)> batch{};
+  std::function<void(std::span<const TrianglePair>, std::span<Answer>)> batch{};
 
   /// Its test of polygons with at least one vertex and finite coordinates; empty if it takes none.
   std::function<PreparedPolygon(const Polygon&)> polygon{};
@@ -58,26 +57,19 @@ struct Method {
 
   /// The answer to a query. A non-finite operand never reaches the test.
   Answer ask(const Query& query) const {
-    if (!is_finite(query.triangle)) return refusal(Status::nonfinite);
-    return std::visit([&](const auto& probe) { return ask(probe, query.triangle); }, query.probe);
-  }
-
-  /// The same about a polygon. A template only so that `ask({probe, triangle})` stays unambiguous.
-  template <std::same_as<PolygonQuery> Q>
-  PolygonAnswer ask(const Q& query) const {
-    const bool finite = std::visit([](const auto& probe) { return is_finite(probe); }, query.probe);
-    if (!finite || !is_finite(query.polygon)) return {.answer = refusal(Status::nonfinite)};
-    if (!polygon || query.polygon.vertices.empty()) return {.answer = refusal(Status::unsupported)};
-    const PreparedPolygon prepared = polygon(query.polygon);
-    if (const auto* s = std::get_if<Segment>(&query.probe)) return prepared.segment(*s);
-    return prepared.ray(std::get<Ray>(query.probe));
+    if (!is_finite(query)) return refusal(Status::nonfinite);
+    const auto about = [&](const auto& probe, const auto& target) { return ask(probe, target); };
+    return std::visit(about, query.probe, query.target);
   }
 
  private:
-  Answer ask(const Segment& s, const Triangle& t) const {
-    return is_finite(s) ? segment(s, t) : refusal(Status::nonfinite);
-  }
-  Answer ask(const Ray& r, const Triangle& t) const { return is_finite(r) ? ray(r, t) : refusal(Status::nonfinite); }
+  Answer ask(const Segment& s, const Triangle& t) const { return segment(s, t); }
+  Answer ask(const Ray& r, const Triangle& t) const { return ray(r, t); }
+  Answer ask(const Segment& s, const Polygon& p) const { return takes(p) ? polygon(p).segment(s) : unsupported(); }
+  Answer ask(const Ray& r, const Polygon& p) const { return takes(p) ? polygon(p).ray(r) : unsupported(); }
+
+  bool takes(const Polygon& p) const { return polygon && !p.vertices.empty(); }
+  static Answer unsupported() { return refusal(Status::unsupported); }
 };
 
 }  // namespace tribunal

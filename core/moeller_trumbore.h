@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "core/answer.h"
-#include "core/query.h"
+#include "core/operands.h"
 #include "core/signed_volume.h"
 
 namespace tribunal {

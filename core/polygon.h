@@ -6,8 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/answer.h"
-#include "core/query.h"
+#include "core/operands.h"
 
 namespace tribunal {
 
@@ -45,20 +44,6 @@ struct PolygonData {
   }
 
   operator Polygon() const { return {vertices, ends}; }
-};
-
-/// A probe against a polygon.
-struct PolygonQuery {
-  Probe probe{};
-  PolygonData polygon{};
-};
-
-/// `coplanar` contacts are those of a planar polygon with a probe in its plane.
-struct PolygonAnswer {
-  Answer answer{};
-  bool planar = true;  ///< all vertices lie in one plane
-
-  friend bool operator==(const PolygonAnswer&, const PolygonAnswer&) = default;
 };
 
 inline bool is_finite(const Polygon& polygon) {

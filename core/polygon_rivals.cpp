@@ -21,9 +21,9 @@ using Inclusion = bool (*)(const ClassicalPolygon<N>&, const Vec2<N>&);
 
 /// The classical ways tell neither contact nor planarity: they assume the latter.
 template <class N, class P>
-PolygonAnswer ask(const P& probe, const ClassicalPolygon<N>& c, Inclusion<N> inside) {
+Answer ask(const P& probe, const ClassicalPolygon<N>& c, Inclusion<N> inside) {
   const std::optional<PlaneHit<N>> hit = plane_hit(c, probe);
-  return {.answer = hit && inside(c, hit->x) ? hit_at(Contact::unsaid) : miss()};
+  return hit && inside(c, hit->x) ? hit_at(Contact::unsaid) : miss();
 }
 
 template <class N>
@@ -38,7 +38,7 @@ template <class N, class P>
 Answer ask_triangle(const P& probe, const Triangle& t, Inclusion<N> inside) {
   const Point3 vertices[] = {t.a, t.b, t.c};
   constexpr std::size_t ends[] = {3};
-  return ask(probe, classical_polygon<N>({vertices, ends}), inside).answer;
+  return ask(probe, classical_polygon<N>({vertices, ends}), inside);
 }
 
 /// Where a method may answer either way on the boundary, the contract leaves triangles out: the harness judges those

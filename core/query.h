@@ -1,49 +1,47 @@
-// What a method is asked: a probe (segment or ray) against a triangle.
+// What a method is asked: a probe (segment or ray) against a target (triangle or polygon).
 #pragma once
 
-#include <cmath>
+#include <cstdint>
+#include <string_view>
 #include <variant>
 
-#include "core/vec3.h"
+#include "core/operands.h"
+#include "core/polygon.h"
 
 namespace tribunal {
 
-/// The closed triangle conv(a, b, c). May be degenerate: collinear or repeated vertices.
-struct Triangle {
-  Point3 a, b, c;
-};
+using Target = std::variant<Triangle, PolygonData>;
 
-/// The closed segment [p, q]. May be a point.
-struct Segment {
-  Point3 p, q;
-};
-
-/// The half-line {o + t·d, t ≥ 0}, by origin and direction as given; o + d is never formed. d = 0 is a point.
-struct Ray {
-  Point3 o;
-  Direction d;
-};
-
-/// A probe starts at `source` and runs to `target`: a point, or a point at infinity. The tests below are
-/// written once in these two words and serve segments and rays alike.
-inline const Point3& source(const Segment& s) { return s.p; }
-inline const Point3& target(const Segment& s) { return s.q; }
-inline const Point3& source(const Ray& r) { return r.o; }
-inline const Direction& target(const Ray& r) { return r.d; }
-
-using Probe = std::variant<Segment, Ray>;
+/// What a question is about; in the order of `Target`.
+enum class Operands : std::uint8_t { triangles, polygons };
 
 struct Query {
-  Probe probe;
-  Triangle triangle;
+  Probe probe{};
+  Target target{};
+
+  Operands operands() const { return static_cast<Operands>(target.index()); }
+
+  /// The target, which must be one; else std::bad_variant_access is thrown.
+  const Triangle& triangle() const { return std::get<Triangle>(target); }
+  Triangle& triangle() { return std::get<Triangle>(target); }
+  const PolygonData& polygon() const { return std::get<PolygonData>(target); }
+  PolygonData& polygon() { return std::get<PolygonData>(target); }
 };
 
-inline bool is_finite(const Point3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+inline Query as_query(const TrianglePair& pair) { return {pair.probe, pair.triangle}; }
 
-inline bool is_finite(const Triangle& t) { return is_finite(t.a) && is_finite(t.b) && is_finite(t.c); }
+/// The target must be a triangle.
+inline TrianglePair pair_of(const Query& query) { return {query.probe, query.triangle()}; }
 
-inline bool is_finite(const Segment& s) { return is_finite(s.p) && is_finite(s.q); }
+inline bool is_of_ray(const Query& query) { return std::holds_alternative<Ray>(query.probe); }
 
-inline bool is_finite(const Ray& r) { return is_finite(r.o) && is_finite(r.d.v); }
+inline bool is_finite(const Probe& probe) {
+  return std::visit([](const auto& p) { return is_finite(p); }, probe);
+}
+
+inline bool is_finite(const Query& query) {
+  const auto finite = [](const auto& target) { return is_finite(target); };
+  return is_finite(query.probe) && std::visit(finite, query.target);
+}
 
 }  // namespace tribunal

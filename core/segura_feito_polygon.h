@@ -149,24 +149,27 @@ Crossings surface_crossings(const P& probe, const Covering& c, const K& k) {
 /// Contact: `coplanar` iff planar and the probe lies in the plane; `vertex` iff else the probe meets a ring vertex,
 /// `edge` iff else a ring edge. `at` where one point is met, or several alike. On a line of vertices all is coplanar.
 template <Kernel K, class P>
-PolygonAnswer segura_feito(const P& probe, const Covering& c, const K& k) {
-  if (c.is_triangle()) return {segura_feito(probe, c.triangle(), k), true};
-  if (c.plane) return {meet_planar(probe, c, k), true};
-  if (c.polygon.vertices.empty()) return {};
+Answer segura_feito(const P& probe, const Covering& c, const K& k) {
+  if (c.is_triangle()) return segura_feito(probe, c.triangle(), k);
+  if (c.plane) return meet_planar(probe, c, k);
+  if (c.polygon.vertices.empty()) return miss();
   const Crossings sum = surface_crossings(probe, c, k);
-  if (c.planar) return {sum.boundary ? hit_at(Contact::coplanar) : miss(), true};
-  return {answer_of(sum, probe, c.polygon, At::unsaid, k), false};
+  if (c.planar) return sum.boundary ? hit_at(Contact::coplanar) : miss();
+  Answer answer = answer_of(sum, probe, c.polygon, At::unsaid, k);
+  answer.planar = false;
+  return answer;
 }
 
 /// The same with the covering made on the fly: no plane is sought. Only if a ring edge is met, or all is seen edge-on,
-/// is the polygon prepared after all. The answer is that of the prepared form, for an exact kernel.
+/// is the polygon prepared after all. The answer is that of the prepared form, for an exact kernel, but for `planar`,
+/// which is not asked for.
 template <Kernel K, class P>
 Answer segura_feito(const P& probe, const Polygon& polygon, const K& k) {
   const Covering unprepared{.polygon = polygon};
   if (unprepared.is_triangle()) return segura_feito(probe, unprepared.triangle(), k);
   if (polygon.vertices.empty()) return miss();
   const Crossings sum = surface_crossings(probe, unprepared, k);
-  if (sum.boundary || sum.edge_on == polygon.vertices.size()) return segura_feito(probe, cover(polygon, k), k).answer;
+  if (sum.boundary || sum.edge_on == polygon.vertices.size()) return segura_feito(probe, cover(polygon, k), k);
   return answer_of(sum, probe, polygon, At::unsaid, k);
 }
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "exact/harness/counterexample.h"
+#include "exact/harness/fuzz.h"
+#include "exact/harness/judge.h"
 #include "exact/methods.h"
-#include "exact/polygon/fuzz.h"
-#include "exact/polygon/judge.h"
 #include "tracer/shading/camera_rays.h"
 
 namespace tribunal {
@@ -56,12 +56,11 @@ std::string source_of(const World& world, const Method& a, const Method& b, cons
 }
 
 /// With the exact answer, and a finding where one of the methods is wrong.
-template <class C>
-C judged(C c, const Method& a, const Method& b) {
-  const auto truth = exact_truth(c.query);
+Case judged(Case c, const Method& a, const Method& b) {
+  const Truth truth = exact_truth(c.query);
   c.expect = truth.hit();
   for (const Method* m : {&a, &b}) {
-    const auto answer = m->ask(c.query);
+    const Answer answer = m->ask(c.query);
     if (judge(*m, truth, answer) == Judgement::wrong) c = with_finding(std::move(c), *m, truth, answer);
   }
   return c;
@@ -108,16 +107,15 @@ std::optional<Parting> parting_at(const World& world, const Method& a, const Met
   return std::nullopt;
 }
 
-AnyCase to_case(const World& world, const Method& a, const Method& b, const DifferingPixel& pixel,
-                const Parting& parting) {
-  const std::string source = source_of(world, a, b, pixel, parting);
-  if (const PolygonData* polygon = world.polygon(*parting.face)) {
-    PolygonCase c{id_of(pixel, parting, true), world.format, {parting.probe, *polygon}, {}, source, {}};
-    return judged(std::move(c), a, b);
-  }
-  Case c{.id = id_of(pixel, parting, false), .format = world.format, .source = source};
-  c.query = {parting.probe, world.triangles[*parting.face]};
-  return judged(std::move(c), a, b);
+Case to_case(const World& world, const Method& a, const Method& b, const DifferingPixel& pixel,
+             const Parting& parting) {
+  const PolygonData* const polygon = world.polygon(*parting.face);
+  const Target face = polygon != nullptr ? Target(*polygon) : Target(world.triangles[*parting.face]);
+  return judged({.id = id_of(pixel, parting, polygon != nullptr),
+                 .format = world.format,
+                 .query = {parting.probe, face},
+                 .source = source_of(world, a, b, pixel, parting)},
+                a, b);
 }
 
 }  // namespace tribunal

@@ -1,7 +1,7 @@
 // Where two methods' pictures of one world part, and why.
 #pragma once
 
-#include "exact/io/polygon_case_io.h"
+#include "exact/io/case_io.h"
 #include "tracer/render.h"
 
 namespace tribunal {
@@ -37,7 +37,6 @@ std::optional<Parting> parting_at(const World& world, const Method& a, const Met
 
 /// A self-contained case, "px-COLUMN-ROW-KIND-triID" or "…-faceID", that `replay` explains; `expect` is the exact
 /// answer. The parting must have a face.
-AnyCase to_case(const World& world, const Method& a, const Method& b, const DifferingPixel& pixel,
-                const Parting& parting);
+Case to_case(const World& world, const Method& a, const Method& b, const DifferingPixel& pixel, const Parting& parting);
 
 }  // namespace tribunal

@@ -10,7 +10,7 @@ namespace {
 
 using small_scope_detail::Cells;
 using small_scope_detail::Scope;
-using Part = ScopePart<OnPolygons>;
+using Part = ScopePart;
 
 constexpr const char* two_inclusions = "point in rings over 64-bit integers by generic rays and by half-open crossings";
 
@@ -29,7 +29,7 @@ void ask_segments(const Method& method, const std::vector<Cells>& rings, std::ui
   const PolygonData& polygon = scope.place(rings);
   const PreparedPolygon prepared = method.polygon(polygon);
   scope.visit_cases(rings, number, [&](const Segment& s, Contact due, bool boundary) {
-    part.add(method, {due, true, boundary}, prepared.segment(s), [&] { return PolygonQuery{s, polygon}; });
+    part.add(method, {.contact = due, .boundary = boundary}, prepared.segment(s), [&] { return Query{s, polygon}; });
   });
 }
 
@@ -43,7 +43,9 @@ void ask_rays(const Method& method, const std::vector<Cells>& rings, std::uint64
   scope.visit_cases(rings, number, [&](const Segment& s, Contact due, bool boundary) {
     if (asked == scope.points()) return;  // what follows lies in the plane
     const Ray ray{s.p, {lengths[asked++ / 3 % 3] * (s.q - s.p)}};
-    part.add(method, {due, true, boundary, true}, prepared.ray(ray), [&] { return PolygonQuery{ray, polygon}; });
+    part.add(method, {.contact = due, .boundary = boundary, .of_ray = true}, prepared.ray(ray), [&] {
+      return Query{ray, polygon};
+    });
   });
 }
 
@@ -57,8 +59,8 @@ void require_agreement(const Scope& scope, const Cells& ring) {
 /// `visit(ring, ask)` calls `ask` with the rings of each polygon that it makes of a ring. Rings are dealt out in
 /// blocks.
 template <class Visit>
-PolygonScopeResult run(const Method& method, const SetDescription& set, const std::vector<Cells>& rings, int refinement,
-                       std::uint64_t polygons_per_ring, unsigned threads, const Visit& visit) {
+ScopeResult run(const Method& method, const SetDescription& set, const std::vector<Cells>& rings, int refinement,
+                std::uint64_t polygons_per_ring, unsigned threads, const Visit& visit) {
   constexpr std::size_t block_size = 64;
   std::vector<Scope> scopes(threads, Scope(refinement));
   std::vector<Part> parts((rings.size() + block_size - 1) / block_size);
@@ -119,17 +121,17 @@ SetDescription centred_rings_set() {
           rings_of(3, 5, Start::centre).size() * cases_of_polygon(centred_refinement)};
 }
 
-PolygonScopeResult rings_run(const Method& method, int most_vertices, unsigned threads) {
+ScopeResult rings_run(const Method& method, int most_vertices, unsigned threads) {
   return run(method, rings_set(most_vertices), rings_of(3, most_vertices, Start::lowest), 1, 1, threads, alone);
 }
 
-PolygonScopeResult pocket_of_rings_run(const Method& method) { return rings_run(method, 4, 1); }
+ScopeResult pocket_of_rings_run(const Method& method) { return rings_run(method, 4, 1); }
 
-PolygonScopeResult ray_rings_run(const Method& method, int most_vertices, unsigned threads) {
+ScopeResult ray_rings_run(const Method& method, int most_vertices, unsigned threads) {
   return run(method, ray_rings_set(most_vertices), rings_of(3, most_vertices, Start::lowest), 1, 1, threads, alone);
 }
 
-PolygonScopeResult holes_run(const Method& method, int vertices, unsigned threads) {
+ScopeResult holes_run(const Method& method, int vertices, unsigned threads) {
   const auto with_holes = [](const Cells& ring, const auto& ask) {
     for_each_hole([&](const Cells& hole) { ask({ring, hole}); });
   };
@@ -137,7 +139,7 @@ PolygonScopeResult holes_run(const Method& method, int vertices, unsigned thread
              with_holes);
 }
 
-PolygonScopeResult two_holes_run(const Method& method, unsigned threads) {
+ScopeResult two_holes_run(const Method& method, unsigned threads) {
   std::vector<Cells> holes;
   for_each_hole([&](const Cells& hole) { holes.push_back(hole); });
   const auto in_square = [](const Cells& hole, const auto& ask) {
@@ -146,7 +148,7 @@ PolygonScopeResult two_holes_run(const Method& method, unsigned threads) {
   return run(method, two_holes_set(), holes, 1, triangular_holes, threads, in_square);
 }
 
-PolygonScopeResult centred_rings_run(const Method& method, unsigned threads) {
+ScopeResult centred_rings_run(const Method& method, unsigned threads) {
   return run(method, centred_rings_set(), rings_of(3, 5, Start::centre), centred_refinement, 1, threads, alone);
 }
 

@@ -19,23 +19,21 @@ struct Hash {
 };
 
 /// What one worker or block has found.
-template <class On>
 struct ScopePart {
   using Slots = std::bitset<2048>;
 
   Count count{};
   Slots judged{}, wrong_slots{};
   Hash hash{};
-  std::vector<typename On::Query> wrong{};
+  std::vector<Query> wrong{};
 
   /// Files the answer to a case; `query` makes the case, should it be worth keeping.
   template <class MakeQuery>
-  void add(const Method& method, const typename On::Truth& truth, const typename On::Answer& answer,
-           const MakeQuery& query) {
+  void add(const Method& method, const Truth& truth, const Answer& answer, const MakeQuery& query) {
     const Judgement j = judge(method, truth, answer);
-    count.add(j, plain(answer).stage);
+    count.add(j, answer.stage);
     if (j != Judgement::unsupported) judged.set(slot_of(truth));
-    hash.add(static_cast<std::uint8_t>(plain(answer).status == Status::ok ? plain(answer).hit : 2));
+    hash.add(static_cast<std::uint8_t>(answer.status == Status::ok ? answer.hit : 2));
     if (j == Judgement::wrong) keep(slot_of(truth), query);
   }
 
@@ -49,7 +47,7 @@ struct ScopePart {
     }
   }
 
-  BasicScopeResult<On> result(const SetDescription& set, std::string oracles) const {
+  ScopeResult result(const SetDescription& set, std::string oracles) const {
     return {.name = set.name,
             .of_rays = set.of_rays,
             .oracles = std::move(oracles),

@@ -20,7 +20,7 @@ using ClassCounts = std::array<std::uint64_t, all_class_count + 1>;
 
 constexpr const char* class_and_caratheodory = "class by 32-bit orientations, Caratheodory over 32-bit integers";
 
-using Part = ScopePart<OnTriangles>;
+using Part = ScopePart;
 
 Answer answer_to(const Method& method, const Segment& s, const Triangle& t) { return method.segment(s, t); }
 Answer answer_to(const Method& method, const Ray& r, const Triangle& t) { return method.ray(r, t); }
@@ -76,7 +76,7 @@ std::vector<Triangle> distinct_orders(const Points& points, Triple t) {
 template <class P>
 Truth lattice_truth(const P& probe, const Triangle& t) {
   const ClassId id = class_of(probe, t, IntegerKernel{});
-  const Truth truth{id, class_row(id).contact()};
+  const Truth truth = truth_of_class(id);
   if (meets_by_caratheodory<Integer>(probe, t) != truth.hit()) exact_truth({probe, t});  // names both witnesses
   return truth;
 }
@@ -151,7 +151,7 @@ ScopeResult pocket_run(const Method& method) {
   Part part;
   for (const ClassRow& row : class_table()) {
     const Segment s = row.representative_segment();
-    const Truth truth{row.id, row.contact()};
+    const Truth truth = truth_of_class(row.id);
     for (const Triangle& t : orders_of(row.representative_triangle())) {
       for (const Segment& directed : {s, Segment{s.q, s.p}}) {
         for (const AxisMap& map : axis_maps()) ask(part, method, map(directed), map(t), truth);
@@ -164,7 +164,7 @@ ScopeResult pocket_run(const Method& method) {
 ScopeResult ray_pocket_run(const Method& method) {
   Part part;
   for (const ClassRow& row : ray_class_table()) {
-    const Truth truth{row.id, row.contact()};
+    const Truth truth = truth_of_class(row.id);
     for (const Triangle& t : orders_of(row.representative_triangle())) {
       for (const AxisMap& map : axis_maps()) {
         const Ray r = map(row.representative_ray());

@@ -5,13 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "exact/polygon/fuzz.h"
+#include "exact/harness/fuzz.h"
 
 namespace tribunal {
 
 /// The outcome of a whole set.
-template <class On>
-struct BasicScopeResult {
+struct ScopeResult {
   std::string name;
   bool of_rays = false;            ///< else of segments
   std::string oracles;             ///< the formulations that agreed on every case
@@ -20,11 +19,8 @@ struct BasicScopeResult {
   Count count{};
   int classes = 0;       ///< of all classes, or of the outcomes of polygons, how many the method answered cases of
   bool complete = true;  ///< false if interrupted
-  std::vector<typename On::Query> wrong{};  ///< the first of each class or outcome, in the set's order
+  std::vector<Query> wrong{};  ///< the first of each class or outcome, in the set's order
 };
-
-using ScopeResult = BasicScopeResult<OnTriangles>;
-using PolygonScopeResult = BasicScopeResult<OnPolygons>;
 
 /// What a set is called, and how many cases it has: known before it is run, so that a log can be held to it.
 struct SetDescription {
@@ -73,22 +69,22 @@ ScopeResult line_run(const Method& method);
 /// the half grid around it (pierced through, from and to in turn) and all 45 segments of the grid. 4 vertices: 2,310
 /// rings and 217,140 cases; 5: 1,658,442; 6: 13,015,992. The exact answer to each is found twice, by a ray that meets
 /// no vertex and by half-open crossings; a contradiction fails with Exit::oracles_contradict.
-PolygonScopeResult rings_run(const Method& method, int most_vertices, unsigned threads);
+ScopeResult rings_run(const Method& method, int most_vertices, unsigned threads);
 
 /// Those of 3 and 4 vertices, in this thread.
-PolygonScopeResult pocket_of_rings_run(const Method& method);
+ScopeResult pocket_of_rings_run(const Method& method);
 
 /// The same rings, each pierced at those points by rays, whose directions take turns at three lengths (2⁻¹⁰⁰, 1, 2¹⁰⁰).
-PolygonScopeResult ray_rings_run(const Method& method, int most_vertices, unsigned threads);
+ScopeResult ray_rings_run(const Method& method, int most_vertices, unsigned threads);
 
 /// Every ring of so many vertices of that grid (3 or 4) with every triangular hole, likewise: 2,250,360 and 15,989,400
 /// cases. Holes lie inside and outside, cross the ring, touch it in corners and share its edges.
-PolygonScopeResult holes_run(const Method& method, int vertices, unsigned threads);
+ScopeResult holes_run(const Method& method, int vertices, unsigned threads);
 
 /// The grid's square with every pair of triangular holes, nested, touching and sharing edges: 663,264 cases.
-PolygonScopeResult two_holes_run(const Method& method, unsigned threads);
+ScopeResult two_holes_run(const Method& method, unsigned threads);
 
 /// Every ring of 3 to 5 vertices that starts at the grid's centre, against points three times as fine: 2,992,626.
-PolygonScopeResult centred_rings_run(const Method& method, unsigned threads);
+ScopeResult centred_rings_run(const Method& method, unsigned threads);
 
 }  // namespace tribunal

@@ -4,10 +4,9 @@
 
 #include "exact/certificate/certify.h"
 #include "exact/certificate/owed.h"
-#include "exact/certificate/small_scope.h"
 #include "exact/harness/counterexample.h"
+#include "exact/io/case_io.h"
 #include "exact/io/files.h"
-#include "exact/io/polygon_case_io.h"
 #include "exact/methods.h"
 
 namespace tribunal {
@@ -17,8 +16,7 @@ void compare(Verification& v, const std::string& path, const std::string& due) {
   if (read_file(path) != due) v.faults.push_back(path + " is not what the log gives");
 }
 
-template <class C>
-bool is_counterexample(const C& c) {
+bool is_counterexample(const Case& c) {
   const auto truth = exact_truth(c.query);
   const bool transversal = c.finding.value("convention", "") == name_of(Convention::transversal);
   const bool due = counts_as_hit(truth.contact, transversal ? Convention::transversal : Convention::closed);
@@ -30,20 +28,15 @@ bool is_counterexample(const C& c) {
 
 /// Judged by the oracles, not by the method: a counterexample stands on its own.
 void confirm(Verification& v, const Json& line) {
-  const AnyCase any = to_any_case(line, {"log.jsonl"});
-  std::visit(
-      [&](const auto& c) {
-        if (is_counterexample(c)) {
-          ++v.confirmed;
-        } else {
-          v.faults.push_back("counterexample " + c.id + " is none");
-        }
-      },
-      any);
+  const Case c = to_case(line, {"log.jsonl"});
+  if (is_counterexample(c)) {
+    ++v.confirmed;
+  } else {
+    v.faults.push_back("counterexample " + c.id + " is none");
+  }
 }
 
-template <class On>
-void compare(Verification& v, const BasicScopeResult<On>& again) {
+void compare(Verification& v, const ScopeResult& again) {
   char hash[20];
   std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(again.answers_hash));
   const ProvedSet& logged = v.certificate.proved.front();
@@ -79,12 +72,12 @@ std::vector<Json> answers_in(const LogRecords& log) {
   return records;
 }
 
-template <class On>
 ChainedLog run_again(const Method& method, const Certificate& c, unsigned threads) {
-  BasicCertifyPlan<On> plan{.method = method,
-                            .budget = to_budget(c.budget, {"log.jsonl"}),
-                            .seed = number_of(c.plan, "seed", {"log.jsonl"}),
-                            .threads = threads};
+  CertifyPlan plan{.method = method,
+                   .operands = c.operands(),
+                   .budget = to_budget(c.budget, {"log.jsonl"}),
+                   .seed = number_of(c.plan, "seed", {"log.jsonl"}),
+                   .threads = threads};
   return certify(plan);
 }
 
@@ -96,8 +89,7 @@ void rerun_all(Verification& v, const LogRecords& log, unsigned threads) {
                                                                                : "its answers came from a file"));
     return;
   }
-  const ChainedLog again = c.operands() == Operands::polygons ? run_again<OnPolygons>(*method, c, threads)
-                                                              : run_again<OnTriangles>(*method, c, threads);
+  const ChainedLog again = run_again(*method, c, threads);
   const std::vector<Json> due = answers_in(again.so_far()), logged = answers_in(log);
   if (due.size() != logged.size())
     v.faults.push_back("run again, the trial has other records (a mesh is not run again)");

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "core/answer.h"
-#include "core/query.h"
+#include "core/operands.h"
 #include "exact/classes/chirotope.h"
 
 namespace tribunal {

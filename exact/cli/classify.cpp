@@ -1,9 +1,9 @@
 #include <memory>
 
 #include "exact/cli/command.h"
+#include "exact/harness/judge.h"
+#include "exact/io/case_io.h"
 #include "exact/io/files.h"
-#include "exact/io/polygon_case_io.h"
-#include "exact/polygon/judge.h"
 
 namespace tribunal {
 namespace {
@@ -14,14 +14,14 @@ struct Options {
 
 /// With the class where the method can tell it.
 Answer answer_to(const Method& method, const Query& query) {
-  return method.classify ? method.classify(query.probe, query.triangle) : method.ask(query);
+  const bool classifies = method.classify && query.operands() == Operands::triangles;
+  return classifies ? method.classify(query.probe, query.triangle()) : method.ask(query);
 }
 
-/// `unsupported` where the method promises nothing, which takes the exact answer to tell.
-PolygonAnswer answer_to(const Method& method, const PolygonQuery& query) {
-  const PolygonAnswer answer = method.ask(query);
-  const bool promises_all = method.polygon_promise.boundary && method.polygon_promise.surface;
-  if (promises_all || answer.answer.status != Status::ok) return answer;
+/// `unsupported` where the method promises nothing, which may take the exact answer to tell.
+Answer owed_answer(const Method& method, const Query& query) {
+  const Answer answer = answer_to(method, query);
+  if (promises_all(method, query.operands()) || answer.status != Status::ok) return answer;
   return within_contract(method, exact_truth(query), answer);
 }
 
@@ -29,10 +29,9 @@ int run(const Options& o) {
   const std::vector<Method> methods = methods_named(o.methods);
   require_different(o.in, o.out);
   std::string lines;
-  const auto answer = [&](const auto& c) {
-    for (const Method& m : methods) lines += from_answer(c.id, m, answer_to(m, c.query)).dump() + "\n";
-  };
-  for (const AnyCase& c : read_any_cases(o.in)) std::visit(answer, c);
+  for (const Case& c : read_cases(o.in)) {
+    for (const Method& m : methods) lines += from_answer(c, m, owed_answer(m, c.query)).dump() + "\n";
+  }
   write_file(o.out, lines);
   return 0;
 }

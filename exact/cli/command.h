@@ -27,12 +27,15 @@ std::vector<Method> methods_named(const std::string& comma_separated);
 /// "a,b" → {"a", "b"}.
 std::vector<std::string> split(const std::string& comma_separated);
 
-/// The named families ("a,b,c"), in both formats, or in all of them if none is named. Fails with Exit::usage, naming
-/// the nearest known family.
+/// The named families ("a,b,c"), in both formats; those of triangles if none is named. Fails with Exit::usage on an
+/// unknown name, naming the nearest known family, and where families of triangles and of polygons are mixed.
 std::vector<Stream> streams_named(const std::string& comma_separated);
 
 /// "affine (what it stresses) ulp (…) …", for --help.
 std::string family_help();
+
+/// Fails with Exit::usage if the method takes no polygons.
+void require_polygons(const Method& method);
 
 /// The default number of worker threads: one for each core.
 unsigned default_threads();

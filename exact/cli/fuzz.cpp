@@ -6,7 +6,6 @@
 
 #include "exact/cli/command.h"
 #include "exact/cli/fuzz_relations.h"
-#include "exact/cli/polygon_streams.h"
 #include "exact/harness/checkpoint.h"
 #include "exact/harness/counterexample.h"
 #include "exact/harness/coverage.h"
@@ -33,8 +32,7 @@ std::uint64_t cases_of(const Options& o) {
   return o.count > 0 ? o.count : o.seconds > 0 ? no_limit : default_cases;
 }
 
-template <class On>
-BasicFuzzPlan<On> plan_of(const Options& o, std::vector<BasicStream<On>> streams) {
+FuzzPlan plan_of(const Options& o, std::vector<Stream> streams) {
   return {.methods = methods_named(o.methods),
           .streams = std::move(streams),
           .seed = o.seed,
@@ -49,8 +47,7 @@ struct Row {
 };
 
 /// By method × stream, and level if asked for.
-template <class On>
-std::map<Row, Count> rows_of(const BasicFuzzReport<On>& report, bool levels) {
+std::map<Row, Count> rows_of(const FuzzReport& report, bool levels) {
   std::map<Row, Count> rows;
   report.counts.for_each([&](const Cell& c, const Count& count) {
     rows[{c.method, c.stream, levels ? c.level : 0}] += count;
@@ -58,8 +55,7 @@ std::map<Row, Count> rows_of(const BasicFuzzReport<On>& report, bool levels) {
   return rows;
 }
 
-template <class On>
-Coverage coverage_of(const BasicFuzzPlan<On>& plan, const BasicFuzzReport<On>& report, std::size_t method) {
+Coverage coverage_of(const FuzzPlan& plan, const FuzzReport& report, std::size_t method) {
   Coverage coverage;
   report.counts.for_each([&](const Cell& c, const Count& count) {
     if (c.method == method) coverage.add(plan.streams[c.stream].format, c.slot, count);
@@ -67,9 +63,8 @@ Coverage coverage_of(const BasicFuzzPlan<On>& plan, const BasicFuzzReport<On>& r
   return coverage;
 }
 
-template <class On>
-std::string coverage(const BasicFuzzPlan<On>& plan, const BasicFuzzReport<On>& report) {
-  const std::string what = On::operands == Operands::triangles ? "classes judged  " : "judged  ";
+std::string coverage(const FuzzPlan& plan, const FuzzReport& report) {
+  const std::string what = plan.operands() == Operands::triangles ? "classes judged  " : "judged  ";
   std::string text;
   for (std::size_t m = 0; m < plan.methods.size(); ++m) {
     const Method& method = plan.methods[m];
@@ -78,16 +73,15 @@ std::string coverage(const BasicFuzzPlan<On>& plan, const BasicFuzzReport<On>& r
   return text;
 }
 
-template <class On>
-std::string table(const BasicFuzzPlan<On>& plan, const BasicFuzzReport<On>& report, bool levels) {
-  constexpr int width = On::operands == Operands::triangles ? 9 : 17;
+std::string table(const FuzzPlan& plan, const FuzzReport& report, bool levels) {
+  const int width = plan.operands() == Operands::triangles ? 9 : 17;
   std::string text;
   char line[200];
   std::snprintf(line, sizeof line, "%-14s %-*s %-9s %6s %12s %10s  %s\n", "method", width, "family", "format",
                 levels ? "level" : "", "judged", "wrong", "share");
   text += line;
   for (const auto& [row, count] : rows_of(report, levels)) {
-    const BasicStream<On>& s = plan.streams[row.stream];
+    const Stream& s = plan.streams[row.stream];
     const std::string level = levels ? std::to_string(s.family->levels(s.format)[row.level]) : "";
     const double share =
         count.judged() == 0 ? 0 : static_cast<double>(count.wrong) / static_cast<double>(count.judged());
@@ -100,8 +94,7 @@ std::string table(const BasicFuzzPlan<On>& plan, const BasicFuzzReport<On>& repo
   return text;
 }
 
-template <class On>
-Json coverage_json(const BasicFuzzPlan<On>& plan, const BasicFuzzReport<On>& report) {
+Json coverage_json(const FuzzPlan& plan, const FuzzReport& report) {
   Json object = Json::object();
   for (std::size_t m = 0; m < plan.methods.size(); ++m) {
     object[plan.methods[m].name] = coverage_of(plan, report, m).to_text(plan.methods[m].stages);
@@ -110,9 +103,8 @@ Json coverage_json(const BasicFuzzPlan<On>& plan, const BasicFuzzReport<On>& rep
 }
 
 /// Per method × family × format × class, or construction or outcome; nothing that varies from run to run.
-template <class On>
-Json summary(const BasicFuzzPlan<On>& plan, const BasicFuzzReport<On>& report) {
-  constexpr bool triangles = On::operands == Operands::triangles;
+Json summary(const FuzzPlan& plan, const FuzzReport& report) {
+  const bool triangles = plan.operands() == Operands::triangles;
   std::map<std::tuple<std::size_t, std::size_t, Slot>, Count> cells;
   report.counts.for_each([&](const Cell& c, const Count& count) { cells[{c.method, c.stream, c.slot}] += count; });
   Json rows = Json::array();
@@ -133,22 +125,19 @@ Json summary(const BasicFuzzPlan<On>& plan, const BasicFuzzReport<On>& report) {
           {"environment", environment()}};
 }
 
-template <class On>
-std::vector<typename On::Case> counterexamples(const BasicFuzzPlan<On>& plan, const BasicFuzzReport<On>& report,
-                                               std::size_t keep) {
-  std::vector<typename On::Case> cases;
+std::vector<Case> counterexamples(const FuzzPlan& plan, const FuzzReport& report, std::size_t keep) {
+  std::vector<Case> cases;
   std::vector<std::size_t> kept(plan.methods.size());
-  for (const BasicFinding<On>& f : report.findings) {
+  for (const Finding& f : report.findings) {
     if (kept[f.method]++ < keep) cases.push_back(to_counterexample(plan, f));
   }
   return cases;
 }
 
-template <class On>
-BasicFuzzReport<On> run_plan(const Options& o, const BasicFuzzPlan<On>& plan) {
+FuzzReport run_plan(const Options& o, const FuzzPlan& plan) {
   if (o.out.empty()) return fuzz(plan);
   make_directory(o.out);
-  BasicFuzzReport<On> start = empty_report(plan);
+  FuzzReport start = empty_report(plan);
   if (o.resume) {
     if (const auto saved = load_checkpoint(o.out, plan)) start = *saved;
     print("going on after " + std::to_string(start.cases) + " cases\n");
@@ -156,11 +145,10 @@ BasicFuzzReport<On> run_plan(const Options& o, const BasicFuzzPlan<On>& plan) {
     throw Failure(Exit::usage,
                   checkpoint_path(o.out) + " is of an interrupted run: --resume goes on with it, or remove it");
   }
-  return fuzz(plan, start, [&](const BasicFuzzReport<On>& report) { save_checkpoint(o.out, plan, report); });
+  return fuzz(plan, start, [&](const FuzzReport& report) { save_checkpoint(o.out, plan, report); });
 }
 
-template <class On>
-std::string totals(const BasicFuzzPlan<On>& plan, const BasicFuzzReport<On>& report) {
+std::string totals(const FuzzPlan& plan, const FuzzReport& report) {
   std::string text = std::to_string(report.cases) + " cases, seed " + std::to_string(plan.seed);
   if (report.seconds > 0) {
     text += "; " + compact(static_cast<double>(report.run_here)) + " in " + compact(report.seconds) + " s, " +
@@ -169,8 +157,7 @@ std::string totals(const BasicFuzzPlan<On>& plan, const BasicFuzzReport<On>& rep
   return text + "\n";
 }
 
-template <class On>
-void write_findings(const Options& o, const BasicFuzzPlan<On>& plan, const BasicFuzzReport<On>& report) {
+void write_findings(const Options& o, const FuzzPlan& plan, const FuzzReport& report) {
   const auto cases = counterexamples(plan, report, o.keep);
   write_file(o.out + "/summary.json", summary(plan, report).dump(1) + "\n");
   write_file(o.out + "/counterexamples.jsonl", to_lines(cases));
@@ -179,11 +166,10 @@ void write_findings(const Options& o, const BasicFuzzPlan<On>& plan, const Basic
         (cases.empty() ? "" : "; `tribunal replay` shows them") + "\n");
 }
 
-template <class On>
-int run(const Options& o, const BasicFuzzPlan<On>& plan) {
+int run(const Options& o, const FuzzPlan& plan) {
   if (o.relations) return run_relations(plan, o.out);
   watch_interrupts();  // from here on a signal leaves a checkpoint
-  const BasicFuzzReport<On> report = run_plan(o, plan);
+  const FuzzReport report = run_plan(o, plan);
   if (report.cases == 0) throw Failure(Exit::resources, "no case was run");
   print(table(plan, report, o.levels) + coverage(plan, report) + totals(plan, report));
   const bool complete = is_complete(plan, report);
@@ -197,10 +183,8 @@ int run(const Options& o, const BasicFuzzPlan<On>& plan) {
 }
 
 int run(const Options& o) {
-  const auto polygon_streams = polygon_streams_named(o.families);
-  if (polygon_streams.empty()) return run(o, plan_of(o, streams_named(o.families)));
-  const PolygonFuzzPlan plan = plan_of(o, polygon_streams);
-  std::for_each(plan.methods.begin(), plan.methods.end(), require_polygons);
+  const FuzzPlan plan = plan_of(o, streams_named(o.families));
+  if (plan.operands() == Operands::polygons) std::ranges::for_each(plan.methods, require_polygons);
   return run(o, plan);
 }
 
@@ -209,7 +193,7 @@ int run(const Options& o) {
 Action declare_fuzz(CLI::App& app) {
   const auto o = std::make_shared<Options>();
   auto* methods = app.add_option("--method", o->methods, "methods, separated by commas")->capture_default_str();
-  app.add_option("--family", o->families, family_help() + polygon_family_help());
+  app.add_option("--family", o->families, family_help());
   app.add_option("--seed", o->seed, "seed of the cases")->check(whole_number())->capture_default_str();
   auto* count =
       app.add_option("--count", o->count, "cases in all (default 500000)")->check(whole_number())->check(above_zero());

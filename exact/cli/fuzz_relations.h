@@ -3,13 +3,12 @@
 
 #include <string>
 
-#include "exact/polygon/fuzz.h"
+#include "exact/harness/fuzz.h"
 
 namespace tribunal {
 
 /// Runs the plan's cases through all relations, prints a table, writes relations.json and the first witness of each
 /// broken relation (its queries, as cases) to `out` unless it is empty. Returns the exit code.
 int run_relations(const FuzzPlan& plan, const std::string& out);
-int run_relations(const PolygonFuzzPlan& plan, const std::string& out);
 
 }  // namespace tribunal

@@ -1,4 +1,5 @@
 // tribunal judge: answers computed anywhere, held against the exact ones.
+#include <algorithm>
 #include <cctype>
 #include <memory>
 
@@ -21,20 +22,14 @@ Convention convention_of(const Options& o) {
   return o.convention == name_of(Convention::closed) ? Convention::closed : Convention::transversal;
 }
 
-template <class On>
-void log_part(ChainedLog& log, const Method& method, const ExamPart<On>& part, const AnswerSheet& sheet) {
-  log_own_cases<On>(log, method, part.cases, part.truths,
-                    [&](std::size_t i) { return typename On::Answer{sheet.answers[part.places[i]]}; });
-}
-
-/// The log of a trial that consists of these cases and answers.
+/// The log of a trial that consists of these cases and answers. It is about triangles if there are any.
 ChainedLog log_of(const Exam& exam, const AnswerSheet& sheet, Convention convention) {
   const Method method = method_of(sheet, convention);
-  const Operands operands = exam.triangles.cases.empty() ? Operands::polygons : Operands::triangles;
+  const bool triangles =
+      std::ranges::any_of(exam.truths, [](const Truth& t) { return t.operands() == Operands::triangles; });
   ChainedLog log;
-  log_plan(log, method, operands, "the cases of a file", 0);
-  log_part(log, method, exam.triangles, sheet);
-  log_part(log, method, exam.polygons, sheet);
+  log_plan(log, method, triangles ? Operands::triangles : Operands::polygons, "the cases of a file", 0);
+  log_own_cases(log, method, exam.cases, exam.truths, [&](std::size_t i) { return sheet.answers[i]; });
   return log;
 }
 
@@ -66,7 +61,7 @@ int run(const Options& o) {
   std::vector<Certificate> all;
   std::string text;
   Count sum;
-  for (const AnswerSheet& sheet : read_answers(o.answers, exam.ids)) {
+  for (const AnswerSheet& sheet : read_answers(o.answers, exam)) {
     logs.push_back(log_of(exam, sheet, convention_of(o)));
     all.push_back(certificate_from(logs.back().so_far(), o.answers));
     sum += all.back().own();

@@ -22,12 +22,21 @@ const Method& method_named(const std::string& name) {
                 "unknown method \"" + name + "\"" + suggestion(name, names, "one that `tribunal methods` lists"));
 }
 
-void require_family(const std::string& name) {
-  if (find_family(name) != nullptr) return;
+const Family& family_named(const std::string& name) {
+  if (const Family* found = find_family(name)) return *found;
   std::vector<std::string> known;
-  for (const Family& f : all_families()) known.emplace_back(f.name);
+  for (const Operands operands : {Operands::triangles, Operands::polygons}) {
+    for (const Family& f : families_of(operands)) known.emplace_back(f.name);
+  }
   throw Failure(Exit::usage,
                 "unknown family \"" + name + "\"" + suggestion(name, known, "one that `tribunal fuzz --help` lists"));
+}
+
+std::string list_of(Operands operands) {
+  std::string text;
+  for (const Family& f : families_of(operands))
+    text += " " + std::string(f.name) + " (" + std::string(f.stresses) + ")";
+  return text;
 }
 
 }  // namespace
@@ -52,24 +61,29 @@ std::vector<Method> methods_named(const std::string& comma_separated) {
 }
 
 std::vector<Stream> streams_named(const std::string& comma_separated) {
-  if (comma_separated.empty()) return all_streams();
+  if (comma_separated.empty()) return streams_of(Operands::triangles);
   std::vector<Stream> streams;
   for (const std::string& name : split(comma_separated)) {
-    require_family(name);
-    if (std::ranges::any_of(streams, [&](const Stream& s) { return s.family->name == name; })) {
+    const Family& family = family_named(name);
+    if (std::ranges::any_of(streams, [&](const Stream& s) { return s.family == &family; })) {
       throw Failure(Exit::usage, "family " + name + " is named twice");
     }
-    for (const Stream& s : all_streams()) {
-      if (s.family->name == name) streams.push_back(s);
+    if (!streams.empty() && streams.front().family->operands != family.operands) {
+      throw Failure(Exit::usage, "family " + name + " asks other operands than " +
+                                     std::string(streams.front().family->name) + ": ask for polygons apart");
     }
+    for (const Format format : {Format::binary64, Format::binary32}) streams.push_back({&family, format});
   }
   return streams;
 }
 
 std::string family_help() {
-  std::string text = "families, separated by commas (default all):";
-  for (const Family& f : all_families()) text += " " + std::string(f.name) + " (" + std::string(f.stresses) + ")";
-  return text;
+  return "families, separated by commas (default all of triangles):" + list_of(Operands::triangles) +
+         "; or polygon families, by themselves:" + list_of(Operands::polygons);
+}
+
+void require_polygons(const Method& method) {
+  if (!method.polygon) throw Failure(Exit::usage, method.name + " takes no polygons");
 }
 
 unsigned default_threads() { return std::max(1U, std::thread::hardware_concurrency()); }

@@ -11,18 +11,16 @@ namespace {
 
 int run_replay(const std::string& file) {
   bool any_wrong = false;
-  const auto show = [&](const auto& c) {
+  for (const Case& c : read_cases(file)) {
     bool wrong = false;
     print(replay(c, wrong) + "\n");
     any_wrong |= wrong;
-  };
-  for (const AnyCase& c : read_any_cases(file)) std::visit(show, c);
+  }
   return code(any_wrong ? Exit::disagreement : Exit::ok);
 }
 
 /// The method that a case is a counterexample to: named in its finding, or given.
-template <class C>
-const Method& method_of(const C& c, const std::string& given, const std::string& file) {
+const Method& method_of(const Case& c, const std::string& given, const std::string& file) {
   const std::string name = !given.empty() ? given : c.finding.is_object() ? c.finding.value("method", "") : "";
   if (name.empty()) throw Failure(Exit::usage, file + ": " + c.id + " names no method, expected --method");
   const Method* method = find_method(name);
@@ -34,12 +32,11 @@ int run_shrink(const std::string& file, const std::string& method, const std::st
   require_different(file, out);
   std::string lines;
   bool faults = false;
-  const auto add = [&](const auto& c) {
-    const auto small = shrunk(c, method_of(c, method, file));
+  for (const Case& c : read_cases(file)) {
+    const Case small = shrunk(c, method_of(c, method, file));
     faults |= small.finding.contains("fault");
     lines += from_case(small).dump() + "\n";
-  };
-  for (const AnyCase& c : read_any_cases(file)) std::visit(add, c);
+  }
   write_file(out, lines);
   return code(faults ? Exit::disagreement : Exit::ok);
 }

@@ -135,7 +135,7 @@ Family affine_family() {
           .stresses = "exact degeneracies of all classes, with growing mantissa fill",
           .population = "exact affine images of the class representatives",
           .axis = "bits of the map's entries",
-          .proves_class = true,
+          .constructs = true,
           .levels = mantissa_fills,
           .make = make};
 }

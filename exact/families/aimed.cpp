@@ -61,7 +61,7 @@ Family aimed_at(std::vector<Triangle> triangles) {
           .axis =
               "(0 ends at a vertex, 1 through one, 2 through an edge, 3 through a face, 4 along an edge, "
               "5 from vertex to vertex)",
-          .proves_class = false,
+          .constructs = false,
           .levels = levels,
           .make = make};
 }

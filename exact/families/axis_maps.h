@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/query.h"
+#include "core/operands.h"
 
 namespace tribunal {
 

@@ -54,7 +54,7 @@ Family direction_family() {
           .stresses = "ray directions far larger or smaller than the geometry: all classes",
           .population = "exact affine images of the class representatives at any scale, the direction at another",
           .axis = "log2 of direction over geometry (of rays)",
-          .proves_class = true,
+          .constructs = true,
           .levels = levels,
           .make = make};
 }

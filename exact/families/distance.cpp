@@ -57,7 +57,7 @@ Family distance_family() {
           .stresses = "probes far longer or far shorter than the triangle",
           .population = "random triangles in [-1,1]^3, probe ends 2^level away",
           .axis = "log2 of distance over size",
-          .proves_class = false,
+          .constructs = false,
           .levels = levels,
           .make = make};
 }

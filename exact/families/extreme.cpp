@@ -35,7 +35,7 @@ Family extreme_family() {
           .stresses = "full mantissas at the ends of the range, subnormals beside normal numbers: all classes",
           .population = "exact affine images of the class representatives with long entries, scaled by powers of two",
           .axis = "log2 of the scale",
-          .proves_class = true,
+          .constructs = true,
           .levels = levels,
           .make = make};
 }

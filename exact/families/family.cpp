@@ -4,10 +4,12 @@
 #include <array>
 
 #include "exact/families/table.h"
+#include "exact/polygon/table.h"
 
 namespace tribunal {
+namespace {
 
-std::span<const Family> all_families() {
+std::span<const Family> triangle_families() {
   static const std::array table = {
       affine_family(),   ulp_family(),      offset_family(),    scale_family(),    zeros_family(),
       midpoint_family(), sliver_family(),   grazing_family(),   distance_family(), near_family(),
@@ -17,10 +19,19 @@ std::span<const Family> all_families() {
   return table;
 }
 
+}  // namespace
+
+std::span<const Family> families_of(Operands operands) {
+  return operands == Operands::triangles ? triangle_families() : polygon_families();
+}
+
 const Family* find_family(std::string_view name) {
-  const auto families = all_families();
-  const auto found = std::ranges::find(families, name, &Family::name);
-  return found == families.end() ? nullptr : &*found;
+  for (const Operands operands : {Operands::triangles, Operands::polygons}) {
+    const auto families = families_of(operands);
+    const auto found = std::ranges::find(families, name, &Family::name);
+    if (found != families.end()) return &*found;
+  }
+  return nullptr;
 }
 
 }  // namespace tribunal

@@ -61,7 +61,7 @@ Family flip_family() {
           .stresses = "adjacent floats between which the exact answer flips",
           .population = "random triangles in [-1,1]^3, one coordinate of the probe's start bisected to a flip",
           .axis = "(none)",
-          .proves_class = false,
+          .constructs = false,
           .levels = levels,
           .make = make};
 }

@@ -32,7 +32,7 @@ Family grazing_family() {
           .stresses = "probes almost in the plane",
           .population = "random triangles in [-1,1]^3 crossed at slopes of 2^-level",
           .axis = "-log2 of the slope",
-          .proves_class = false,
+          .constructs = false,
           .levels = levels,
           .make = make};
 }

@@ -71,7 +71,7 @@ Family mesh_family() {
           .stresses = "closed meshes, met exactly at vertices and edge midpoints",
           .population = "integer images of an octahedron and a cube, probes aimed at vertices and edge midpoints",
           .axis = "bits of the map's entries",
-          .proves_class = false,
+          .constructs = false,
           .levels = levels,
           .make = make};
 }

@@ -38,7 +38,7 @@ Family midpoint_family() {
           .stresses = "contacts at rounded midpoints of edges, triangles and segments",
           .population = "random triangles in [-1,1]^3 touched at rounded midpoints",
           .axis = "kind: edge end, centroid end, edge crossing, vertex on probe",
-          .proves_class = false,
+          .constructs = false,
           .levels = levels,
           .make = make};
 }

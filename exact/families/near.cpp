@@ -37,7 +37,7 @@ Family near_family() {
           .stresses = "almost collinear and almost equal vertices",
           .population = "random triangles in [-1,1]^3, one vertex ulps from the others' line or from another vertex",
           .axis = "units in the last place",
-          .proves_class = false,
+          .constructs = false,
           .levels = levels,
           .make = make};
 }

@@ -29,7 +29,7 @@ Family offset_family() {
           .stresses = "all classes, exactly, far from the origin",
           .population = "exact affine images of the class representatives, translated by powers of two",
           .axis = "log2 of the offset",
-          .proves_class = true,
+          .constructs = true,
           .levels = levels,
           .make = make};
 }

@@ -49,7 +49,7 @@ Family overflow_family() {
           .stresses = "finite coordinates whose differences overflow: all classes",
           .population = "exact affine images of the class representatives, stretched about zero to the last binade",
           .axis = "axes on which differences overflow",
-          .proves_class = true,
+          .constructs = true,
           .levels = levels,
           .make = make};
 }

@@ -32,7 +32,7 @@ Family scale_family() {
           .stresses = "underflow and overflow: all classes from subnormals to the largest numbers",
           .population = "small images of the class representatives, axes scaled by powers of two",
           .axis = "log2 of the scale",
-          .proves_class = true,
+          .constructs = true,
           .levels = levels,
           .make = make};
 }

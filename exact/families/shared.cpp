@@ -33,7 +33,7 @@ Family shared_family() {
           .stresses = "edges and vertices that two triangles share, met exactly",
           .population = "pairs of integer triangles, a probe exactly through the shared edge's middle or vertex",
           .axis = "bits of the coordinates",
-          .proves_class = false,
+          .constructs = false,
           .levels = levels,
           .make = make};
 }

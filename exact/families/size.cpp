@@ -41,7 +41,7 @@ Family size_family() {
           .stresses = "general position at every size of geometry and direction",
           .population = "random triangles in [-2^level,2^level]^3, a probe through a point near them",
           .axis = "log2 of the size",
-          .proves_class = false,
+          .constructs = false,
           .levels = levels,
           .make = make};
 }

@@ -32,7 +32,7 @@ Family sliver_family() {
           .stresses = "needle-thin triangles",
           .population = "random triangles in [-1,1]^3 flattened to a height of 2^-level",
           .axis = "log2 of length over height",
-          .proves_class = false,
+          .constructs = false,
           .levels = levels,
           .make = make};
 }

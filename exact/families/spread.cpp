@@ -62,7 +62,7 @@ Family spread_family() {
           .stresses = "numbers up to 2096 binades apart on one axis, whose products tie",
           .population = "coordinates drawn from 0 and three sizes an axis, with signs, the largest 2^level the least",
           .axis = "log2 of largest over least",
-          .proves_class = false,
+          .constructs = false,
           .levels = levels,
           .make = make};
 }

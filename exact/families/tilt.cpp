@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "exact/families/affine.h"
+#include "exact/families/pair_vectors.h"
 #include "exact/families/probe.h"
-#include "exact/families/query_vectors.h"
 #include "exact/families/shapes.h"
 #include "exact/families/table.h"
 
@@ -30,7 +30,7 @@ int draw_axis_scale(Draw& draw, Format format, int bits, int tilt) {
 }
 
 /// All points are moved along the axis until the vertex has the coordinate 0; then it alone gets another.
-void tilt_point(const QueryVectors& vectors, std::size_t vertex, int axis, double move) {
+void tilt_point(const PairVectors& vectors, std::size_t vertex, int axis, double move) {
   const double origin = (*vectors.v[vertex])[axis];
   for (std::size_t i = 0; i < static_cast<std::size_t>(vectors.points); ++i) (*vectors.v[i])[axis] -= origin;
   (*vectors.v[vertex])[axis] = move;
@@ -53,7 +53,7 @@ Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
   map.scale[static_cast<std::size_t>(axis)] = scale;
   Trial trial = image_of(turn, map, format, draw);
   trial.class_id = 0;
-  const QueryVectors vectors = vectors_of(trial.query);
+  const PairVectors vectors = vectors_of(trial.query);
   const std::uint64_t vertex = draw.below(5);
   const double sign = draw.below(2) == 0 ? 1 : -1;
   if (vertex < static_cast<std::uint64_t>(vectors.points)) {
@@ -74,7 +74,7 @@ Family tilt_family() {
       .stresses = "degeneracies left by 2^-level of the size, far below a unit in the last place",
       .population = "affine images of the class representatives, one coordinate moved to zero, then to a power of two",
       .axis = "-log2 of the move over the size",
-      .proves_class = false,
+      .constructs = false,
       .levels = levels,
       .make = make};
 }

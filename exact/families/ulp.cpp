@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "exact/families/affine.h"
-#include "exact/families/query_vectors.h"
+#include "exact/families/pair_vectors.h"
 #include "exact/families/shapes.h"
 #include "exact/families/table.h"
 
@@ -61,7 +61,7 @@ Family ulp_family() {
           .stresses = "near-degeneracy: one vertex some ulps off an exact degeneracy",
           .population = "affine images of the class representatives, one vertex moved by ulps",
           .axis = "units in the last place",
-          .proves_class = false,
+          .constructs = false,
           .levels = steps,
           .make = make};
 }

@@ -1,6 +1,6 @@
 // Class representatives with signed zeros.
 #include "exact/families/affine.h"
-#include "exact/families/query_vectors.h"
+#include "exact/families/pair_vectors.h"
 #include "exact/families/table.h"
 
 namespace tribunal {
@@ -42,7 +42,7 @@ Family zeros_family() {
           .stresses = "signed zeros",
           .population = "axis-aligned images of the class representatives with random signs of zero",
           .axis = "(none)",
-          .proves_class = true,
+          .constructs = true,
           .levels = levels,
           .make = make};
 }

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/answer.h"
-#include "core/query.h"
+#include "core/operands.h"
 #include "exact/filtered/tally.h"
 
 namespace tribunal {
@@ -56,8 +56,8 @@ Tally hits(const Ray& r, const TriangleColumns& t, std::span<std::uint8_t> hit);
 Tally hits(const SegmentColumns& s, const TriangleColumns& t, std::span<std::uint8_t> hit);
 Tally hits(const RayColumns& r, const TriangleColumns& t, std::span<std::uint8_t> hit);
 
-/// Queries as they come, one answer each: as `intersect` gives them. Costs a transposition more.
-void intersect(std::span<const Query> queries, std::span<Answer> answers);
+/// Pairs as they come, one answer each: as `intersect` gives them. Costs a transposition more.
+void intersect(std::span<const TrianglePair> pairs, std::span<Answer> answers);
 
 /// The instruction sets that this machine can run the batch on, best first: "AVX-512", "AVX2", "portable".
 std::vector<std::string_view> batch_targets();

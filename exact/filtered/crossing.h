@@ -1,7 +1,7 @@
 // How often a ray crosses a closed surface, when it may run through vertices and along edges and faces.
 #pragma once
 
-#include "core/query.h"
+#include "core/operands.h"
 
 namespace tribunal {
 

@@ -1,7 +1,7 @@
 // The constants of the filters. Proofs: the Gappa scripts in exact/filtered/proofs; derivation: docs/error-bounds.md.
 #pragma once
 
-#include "core/query.h"
+#include "core/operands.h"
 
 namespace tribunal {
 

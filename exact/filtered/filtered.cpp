@@ -53,8 +53,8 @@ bool hits_past_filter(const Ray& r, const Triangle& t) { return intersect_past_f
 
 Answer intersect(const Segment& s, const Triangle& t) { return staged_intersect(s, t); }
 Answer intersect(const Ray& r, const Triangle& t) { return staged_intersect(r, t); }
-Answer intersect(const Query& query) {
-  return std::visit([&](const auto& probe) { return staged_intersect(probe, query.triangle); }, query.probe);
+Answer intersect(const TrianglePair& pair) {
+  return std::visit([&](const auto& probe) { return staged_intersect(probe, pair.triangle); }, pair.probe);
 }
 
 Answer classify(const Segment& s, const Triangle& t) { return staged_classify(s, t); }

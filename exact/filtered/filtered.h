@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "core/answer.h"
-#include "core/query.h"
+#include "core/operands.h"
 #include "core/sign.h"
 #include "exact/filtered/filter_bounds.h"
 #include "exact/filtered/shared_volumes.h"
@@ -52,7 +52,7 @@ bool hits_past_filter(const Ray& r, const Triangle& t);
 /// Hit, kind of contact, end of the probe that touches, and the stage that decided.
 Answer intersect(const Segment& s, const Triangle& t);
 Answer intersect(const Ray& r, const Triangle& t);
-Answer intersect(const Query& query);
+Answer intersect(const TrianglePair& pair);
 
 /// What `intersect` says where the filter is certain: all volumes are nonzero, so the contact is in general position.
 constexpr Answer certain(bool hit) {

@@ -33,7 +33,7 @@ Method sf_filtered() {
       .classify = [](const Probe& probe,
                      const Triangle& t) { return std::visit([&](const auto& p) { return classify(p, t); }, probe); },
       .compare_hits = [](const Ray& r, const Triangle& s, const Triangle& t) { return compare_hits(r, s, t); },
-      .batch = [](std::span<const Query> queries, std::span<Answer> answers) { intersect(queries, answers); },
+      .batch = [](std::span<const TrianglePair> pairs, std::span<Answer> answers) { intersect(pairs, answers); },
       .polygon = prepare};
 }
 

@@ -124,32 +124,32 @@ std::optional<bool> FilteredPolygon::filter_between(const Segment& s) const {
 
 /// A certain hit is in general position: inside, between the ends.
 template <class P>
-PolygonAnswer FilteredPolygon::decide(const P& probe) const {
-  if (const std::optional<bool> hit = filter_hits(probe)) return {certain(*hit), true};
+Answer FilteredPolygon::decide(const P& probe) const {
+  if (const std::optional<bool> hit = filter_hits(probe)) return certain(*hit);
   return decide_exactly(probe);
 }
 
 template <class P>
-PolygonAnswer FilteredPolygon::decide_exactly(const P& probe) const {
-  if (!is_finite(probe)) return {.answer = refusal(Status::nonfinite), .planar = covering_.planar};
-  if (covering_.is_triangle()) return {intersect(probe, covering_.triangle()), true};
+Answer FilteredPolygon::decide_exactly(const P& probe) const {
+  if (!is_finite(probe)) return refusal(Status::nonfinite);
+  if (covering_.is_triangle()) return intersect(probe, covering_.triangle());
   Tally tally;
-  PolygonAnswer answer = segura_feito(probe, covering_, FilteredKernel(&tally));
-  answer.answer.stage = tally.deepest();
+  Answer answer = segura_feito(probe, covering_, FilteredKernel(&tally));
+  answer.stage = tally.deepest();
   return answer;
 }
 
-PolygonAnswer FilteredPolygon::meet(const Segment& s) const { return decide(s); }
+Answer FilteredPolygon::meet(const Segment& s) const { return decide(s); }
 
-PolygonAnswer FilteredPolygon::meet(const Ray& r) const { return decide(r); }
+Answer FilteredPolygon::meet(const Ray& r) const { return decide(r); }
 
 /// Figure 1 without its kinds of contact, where the probe crosses the plane of a planar polygon.
 template <class P>
 bool FilteredPolygon::decide_hit(const P& probe) const {
-  if (!covering_.plane || covering_.is_triangle() || !is_finite(probe)) return decide_exactly(probe).answer.hit;
+  if (!covering_.plane || covering_.is_triangle() || !is_finite(probe)) return decide_exactly(probe).hit;
   const FilteredKernel k;
   const PlaneSides sides = sides_of(covering_.plane->triangle, probe, k);
-  if (sides.in_plane()) return decide_exactly(probe).answer.hit;
+  if (sides.in_plane()) return decide_exactly(probe).hit;
   return reaches(sides.source, sides.target, target(probe)) && plane_crossings(probe, covering_, sides, k).hit();
 }
 

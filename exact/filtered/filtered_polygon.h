@@ -23,8 +23,8 @@ class FilteredPolygon {
   FilteredPolygon(FilteredPolygon&&) = default;
   FilteredPolygon& operator=(FilteredPolygon&&) = default;
 
-  PolygonAnswer meet(const Segment& s) const;
-  PolygonAnswer meet(const Ray& r) const;
+  Answer meet(const Segment& s) const;
+  Answer meet(const Ray& r) const;
 
   /// Whether they meet, and no more. Some 10 ns where doubles tell.
   template <class P>
@@ -65,9 +65,9 @@ class FilteredPolygon {
   template <class Told, class P, class Otherwise>
   Told filtered(const P& probe, const Otherwise& otherwise) const;
   template <class P>
-  PolygonAnswer decide(const P& probe) const;
+  Answer decide(const P& probe) const;
   template <class P>
-  PolygonAnswer decide_exactly(const P& probe) const;
+  Answer decide_exactly(const P& probe) const;
   template <class P>
   bool decide_hit(const P& probe) const;
   template <class P>

@@ -3,7 +3,7 @@
 
 #include <gmpxx.h>
 
-#include "core/query.h"
+#include "core/operands.h"
 
 namespace tribunal {
 

@@ -6,7 +6,7 @@
 #include <type_traits>
 
 #include "core/moeller_trumbore.h"
-#include "core/query.h"
+#include "core/operands.h"
 #include "exact/filtered/twin.h"
 
 namespace tribunal {

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "core/query.h"
+#include "core/operands.h"
 
 namespace tribunal {
 

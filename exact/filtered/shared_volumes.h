@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/moeller_trumbore.h"
-#include "core/query.h"
+#include "core/operands.h"
 #include "exact/filtered/filter_bounds.h"
 #include "exact/filtered/twin.h"
 

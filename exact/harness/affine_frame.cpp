@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "exact/families/query_vectors.h"
+#include "exact/families/pair_vectors.h"
 
 namespace tribunal {
 namespace {
@@ -32,7 +32,7 @@ struct Row {
   std::size_t pivot;
 };
 
-Homogeneous homogeneous(const QueryVectors& q, std::size_t i) {
+Homogeneous homogeneous(const PairVectors& q, std::size_t i) {
   const Point3& p = *q.v[i];
   return {mpq_class(p.x), mpq_class(p.y), mpq_class(p.z), static_cast<int>(i) < q.points ? 1 : 0};
 }
@@ -47,7 +47,7 @@ void reduce(Homogeneous& v, std::vector<mpq_class>& weights, const std::vector<R
   }
 }
 
-Frame frame_of(const QueryVectors& q) {
+Frame frame_of(const PairVectors& q) {
   Frame frame;
   std::vector<Row> rows;
   for (std::size_t i = 0; i < 5; ++i) {
@@ -76,7 +76,7 @@ std::optional<double> exact_value(const mpq_class& x, Format format) {
 }
 
 /// Places the dependent vectors; false if one does not fit the format.
-bool place_dependents(const QueryVectors& q, const Frame& frame, Format format) {
+bool place_dependents(const PairVectors& q, const Frame& frame, Format format) {
   for (const Dependent& d : frame.dependents) {
     for (int axis = 0; axis < 3; ++axis) {
       mpq_class sum = 0;
@@ -93,7 +93,7 @@ bool place_dependents(const QueryVectors& q, const Frame& frame, Format format) 
 
 std::optional<Query> in_smaller_frame(const Query& query, Format format, int bits, FrameRounding round) {
   Query candidate = query;
-  const QueryVectors q = vectors_of(candidate);
+  const PairVectors q = vectors_of(candidate);
   const Frame frame = frame_of(q);
   if (frame.denominator > 1024) return std::nullopt;
   for (int axis = 0; axis < 3; ++axis) {

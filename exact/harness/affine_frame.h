@@ -1,4 +1,5 @@
-// How the points of a query depend on each other, so that they can move together without leaving their class.
+// How the points of a query about a triangle depend on each other, so that they can move together without leaving their
+// class.
 #pragma once
 
 #include <optional>

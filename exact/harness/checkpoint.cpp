@@ -7,53 +7,47 @@
 #include "exact/io/files.h"
 #include "exact/log/chain.h"
 #include "exact/log/sample_row.h"
-#include "exact/polygon/fuzz.h"
 
 namespace tribunal {
 namespace {
 
 /// All that the cases and their order depend on; not the threads.
-template <class On>
-Json plan_record(const BasicFuzzPlan<On>& plan) {
+Json plan_record(const FuzzPlan& plan) {
   Json methods = Json::array(), streams = Json::array();
   for (const Method& m : plan.methods) methods.push_back(m.name);
-  for (const BasicStream<On>& s : plan.streams) streams.push_back(name_of(s));
+  for (const Stream& s : plan.streams) streams.push_back(name_of(s));
   return {{"record", "fuzz"}, {"methods", methods}, {"streams", streams}, {"seed", plan.seed}, {"cases", plan.cases}};
 }
 
-template <class On>
-Json finding_record(const BasicFinding<On>& f) {
+Json finding_record(const Finding& f) {
   return {{"record", "finding"}, {"method", f.method}, {"stream", f.stream}, {"case", f.k}};
 }
 
 /// Case and answer are made again from their numbers.
-template <class On>
-BasicFinding<On> finding_from(const BasicFuzzPlan<On>& plan, const Json& record, const Where& where) {
+Finding finding_from(const FuzzPlan& plan, const Json& record, const Where& where) {
   const std::size_t method = number_of(record, "method", where), stream = number_of(record, "stream", where);
   if (method >= plan.methods.size() || stream >= plan.streams.size()) where.fail("no such method or stream");
   const std::uint64_t k = number_of(record, "case", where);
-  const BasicStream<On>& source = plan.streams[stream];
-  const typename On::Trial trial = source.family->make(source.format, plan.seed, k);
-  return {method, stream, k, trial, On::truth_of(trial, k), plan.methods[method].ask(trial.query)};
+  const Stream& source = plan.streams[stream];
+  const Trial trial = source.family->make(source.format, plan.seed, k);
+  return {method, stream, k, trial, truth_of(trial, k), plan.methods[method].ask(trial.query)};
 }
 
-template <class On>
-void add_row(const BasicFuzzPlan<On>& plan, BasicFuzzReport<On>& report, const SampleRow& row, const Where& where) {
+void add_row(const FuzzPlan& plan, FuzzReport& report, const SampleRow& row, const Where& where) {
   const auto method = std::ranges::find(plan.methods, row.method, &Method::name);
   const auto stream = std::ranges::find_if(
-      plan.streams, [&](const BasicStream<On>& s) { return s.family->name == row.family && s.format == row.format; });
+      plan.streams, [&](const Stream& s) { return s.family->name == row.family && s.format == row.format; });
   if (method == plan.methods.end() || stream == plan.streams.end()) where.fail("no such method or stream");
   if (row.level >= stream->family->levels(row.format).size()) where.fail("no such level");
   const auto m = static_cast<std::size_t>(method - plan.methods.begin());
   const auto s = static_cast<std::size_t>(stream - plan.streams.begin());
   for (const auto& [slot, count] : row.counts) {
-    if (!slots_of(On::operands).contains(slot)) where.fail("\"" + slot_name(slot) + "\" is of other operands");
+    if (!slots_of(plan.operands()).contains(slot)) where.fail("\"" + slot_name(slot) + "\" is of other operands");
     report.counts.at({m, s, row.level, slot}) += count;
   }
 }
 
-template <class On>
-void add_record(const BasicFuzzPlan<On>& plan, BasicFuzzReport<On>& report, const Json& record, const Where& where) {
+void add_record(const FuzzPlan& plan, FuzzReport& report, const Json& record, const Where& where) {
   const std::string kind = string_of(record, "record", where);
   if (kind == "sample") {
     add_row(plan, report, to_sample_row(record, where), where);
@@ -70,12 +64,11 @@ void add_record(const BasicFuzzPlan<On>& plan, BasicFuzzReport<On>& report, cons
 
 std::string checkpoint_path(const std::string& directory) { return directory + "/checkpoint.jsonl"; }
 
-template <class On>
-void save_checkpoint(const std::string& directory, const BasicFuzzPlan<On>& plan, const BasicFuzzReport<On>& report) {
+void save_checkpoint(const std::string& directory, const FuzzPlan& plan, const FuzzReport& report) {
   ChainedLog log;
   log.add(plan_record(plan));
   for (const SampleRow& row : rows_of(plan, report)) log.add(to_record(row));
-  for (const BasicFinding<On>& f : report.findings) log.add(finding_record(f));
+  for (const Finding& f : report.findings) log.add(finding_record(f));
   log.add({{"record", "done"}, {"cases", report.cases}});
   write_file(checkpoint_path(directory), log.finish());
   for (const char* of_another_run : {"/summary.json", "/counterexamples.jsonl"}) {
@@ -83,23 +76,17 @@ void save_checkpoint(const std::string& directory, const BasicFuzzPlan<On>& plan
   }
 }
 
-template <class On>
-std::optional<BasicFuzzReport<On>> load_checkpoint(const std::string& directory, const BasicFuzzPlan<On>& plan) {
+std::optional<FuzzReport> load_checkpoint(const std::string& directory, const FuzzPlan& plan) {
   const std::string path = checkpoint_path(directory);
   if (!std::filesystem::exists(path)) return std::nullopt;
   const LogRecords log = read_log(path);
   if (log.records.empty() || log.records[0] != plan_record(plan)) {
     throw Failure(Exit::usage, path + " is of a run with other methods, families, seed or count");
   }
-  BasicFuzzReport<On> report = empty_report(plan);
+  FuzzReport report = empty_report(plan);
   for (std::size_t i = 1; i < log.records.size(); ++i) add_record(plan, report, log.records[i], {path, i + 1});
   return report;
 }
-
-template void save_checkpoint(const std::string&, const FuzzPlan&, const FuzzReport&);
-template void save_checkpoint(const std::string&, const PolygonFuzzPlan&, const PolygonFuzzReport&);
-template std::optional<FuzzReport> load_checkpoint(const std::string&, const FuzzPlan&);
-template std::optional<PolygonFuzzReport> load_checkpoint(const std::string&, const PolygonFuzzPlan&);
 
 void remove_checkpoint(const std::string& directory) { std::filesystem::remove(checkpoint_path(directory)); }
 

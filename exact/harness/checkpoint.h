@@ -13,12 +13,10 @@ std::string checkpoint_path(const std::string& directory);
 
 /// Counts, the numbers of the cases found wrong, and how far the run came, as a chained log. The results of an earlier
 /// run in the directory are removed: they are not of this one.
-template <class On>
-void save_checkpoint(const std::string& directory, const BasicFuzzPlan<On>& plan, const BasicFuzzReport<On>& report);
+void save_checkpoint(const std::string& directory, const FuzzPlan& plan, const FuzzReport& report);
 
 /// The saved report, or nothing if there is none. Fails with Exit::usage if it belongs to another plan.
-template <class On>
-std::optional<BasicFuzzReport<On>> load_checkpoint(const std::string& directory, const BasicFuzzPlan<On>& plan);
+std::optional<FuzzReport> load_checkpoint(const std::string& directory, const FuzzPlan& plan);
 
 void remove_checkpoint(const std::string& directory);
 

@@ -1,4 +1,3 @@
-// What counterexamples have in common, whatever the operands.
 #include "exact/harness/counterexample.h"
 
 #include <cstdio>
@@ -10,32 +9,27 @@
 #include "exact/harness/shrink.h"
 #include "exact/io/failure.h"
 #include "exact/methods.h"
-#include "exact/polygon/shrink.h"
 
 namespace tribunal {
 namespace {
 
 /// What the method says within its contract; what it says of operands beyond its format does not count.
-template <class Q, class T>
-auto answer_in_contract(const Method& method, Format format, const Q& query, const T& truth) {
-  auto answer = within_contract(method, truth, try_ask(method, query).answer);
-  if (!takes(method, format)) answer = {refusal(Status::unsupported)};
-  return answer;
+Answer answer_in_contract(const Method& method, Format format, const Query& query, const Truth& truth) {
+  const Answer answer = within_contract(method, truth, try_ask(method, query).answer);
+  return takes(method, format) ? answer : refusal(Status::unsupported);
 }
 
 /// 1, 0, or null where the method does not take the operands.
-template <class C, class T>
-Json every_answer(const C& c, const T& truth) {
+Json every_answer(const Case& c, const Truth& truth) {
   Json answers = Json::object();
   for (const Method& method : all_methods()) {
-    const Answer answer = plain(answer_in_contract(method, c.format, c.query, truth));
+    const Answer answer = answer_in_contract(method, c.format, c.query, truth);
     answers[method.name] = answer.status == Status::ok ? Json(answer.hit ? 1 : 0) : Json();
   }
   return answers;
 }
 
-template <class C, class T>
-Json finding_of(const C& c, const Method& method, const T& truth, const Answer& answer) {
+Json finding_of(const Case& c, const Method& method, const Truth& truth, const Answer& answer) {
   Json finding;
   finding["method"] = method.name;
   finding["answered"] = answer.hit ? 1 : 0;
@@ -53,8 +47,7 @@ constexpr int times_for_known_fault = 32;
 bool blames_a_fault(const Json& finding) { return finding.is_object() && finding.contains("fault"); }
 
 /// In place of an answer, the fault. What it answered is not said: it answered one thing and then another.
-template <class C, class T>
-C with_fault(C c, const Method& method, const T& truth, const Fault& fault) {
+Case with_fault(Case c, const Method& method, const Truth& truth, const Fault& fault) {
   c = with_finding(std::move(c), method, truth, {});
   c.finding.erase("answered");
   c.finding["answers"][method.name] = Json();
@@ -64,18 +57,16 @@ C with_fault(C c, const Method& method, const T& truth, const Fault& fault) {
 }
 
 /// What the method does on a query that it answered wrongly before: it is a fault if it now answers otherwise.
-template <class Q, class T>
-auto observe_wrong(const Method& method, const Q& query, const T& truth) {
-  auto seen = observe(method, query);
+Asked observe_wrong(const Method& method, const Query& query, const Truth& truth) {
+  Asked seen = observe(method, query);
   const bool right_now = judge(method, truth, seen.answer) != Judgement::wrong;
   if (!seen.fault && right_now) seen.fault = Fault{FaultKind::answers_differ};
   return seen;
 }
 
 /// The case, which the method answered wrongly, with its finding; shrunk if the method answers it the same every time.
-template <class C>
-C with_shrunk_finding(C c, const Method& method) {
-  auto truth = exact_truth(c.query);
+Case with_shrunk_finding(Case c, const Method& method) {
+  Truth truth = exact_truth(c.query);
   auto seen = observe_wrong(method, c.query, truth);
   if (!seen.fault) {
     c.query = shrink(method, c.query, c.format);
@@ -94,15 +85,14 @@ std::string row(const std::string& a, const std::string& b, const std::string& c
 }
 
 /// How one method did on a case, and whether that was wrong.
-template <class C, class T>
-std::string verdict_of(const Method& method, const C& c, const T& truth, bool& wrong) {
-  const auto seen = observe(method, c.query, blames_a_fault(c.finding) ? times_for_known_fault : 1);
+std::string verdict_of(const Method& method, const Case& c, const Truth& truth, bool& wrong) {
+  const Asked seen = observe(method, c.query, blames_a_fault(c.finding) ? times_for_known_fault : 1);
   if (seen.fault) {
     wrong = true;
     return row(method.name, "-", "", "WRONG: " + describe(seen.fault));
   }
   const auto given = seen.answer;
-  const Answer answer = plain(given);
+  const Answer answer = given;
   if (answer.status != Status::ok) return row(method.name, "-", "", std::string(name_of(answer.status)));
   const auto says = [&](const char* verdict) {
     return row(method.name, answer.hit ? "hit" : "no hit", std::string(name_of(answer.contact)), verdict);
@@ -115,27 +105,6 @@ std::string verdict_of(const Method& method, const C& c, const T& truth, bool& w
   return says(answer.hit == truth.hit() ? "right" : "right by its convention (coplanar is a miss)");
 }
 
-template <class C>
-std::string replayed(const C& c, bool& wrong) {
-  const auto truth = exact_truth(c.query);
-  std::string text = c.id + "  (" + std::string(name_of(c.format)) + ")\n" + points_of(c.query);
-  text += "  exact " + exact_evidence(c.query).dump() + "\n  exact answer " + describe(truth) + "\n";
-  if (const std::string error = mistaken_claim(c, truth); !error.empty()) {
-    wrong = true;
-    text += "  THE FILE IS WRONG: " + error + "\n";
-  }
-  text += row("method", "answer", "contact", "verdict");
-  for (const Method& method : all_methods()) text += verdict_of(method, c, truth, wrong);
-  return text;
-}
-
-template <class C, class T>
-std::string mistaken_expectation(const C& c, const T& truth) {
-  if (!c.expect || *c.expect == truth.hit()) return "";
-  return std::string("the case expects ") + (*c.expect ? "a hit" : "no hit") + ", the exact answer is " +
-         describe(truth);
-}
-
 }  // namespace
 
 Case with_finding(Case c, const Method& method, const Truth& truth, const Answer& answer) {
@@ -145,25 +114,16 @@ Case with_finding(Case c, const Method& method, const Truth& truth, const Answer
   return c;
 }
 
-PolygonCase with_finding(PolygonCase c, const Method& method, const PolygonTruth& truth, const PolygonAnswer& answer) {
-  c.expect = truth.hit();
-  c.finding = finding_of(c, method, truth, answer.answer);
-  return c;
-}
-
-template <class On>
-typename On::Case to_counterexample(const Method& method, const typename On::Query& query, Format format,
-                                    const std::string& source) {
-  typename On::Case c{.format = format, .query = query, .source = source};
+Case to_counterexample(const Method& method, const Query& query, Format format, const std::string& source) {
+  Case c{.format = format, .query = query, .source = source};
   c = with_shrunk_finding(std::move(c), method);
   c.id = method.name + "-" + id_part(exact_truth(c.query));
   return c;
 }
 
-template <class On>
-typename On::Case to_counterexample(const BasicFuzzPlan<On>& plan, const BasicFinding<On>& f) {
-  const BasicStream<On>& stream = plan.streams[f.stream];
-  auto c = to_counterexample<On>(plan.methods[f.method], f.trial.query, stream.format, "");
+Case to_counterexample(const FuzzPlan& plan, const Finding& f) {
+  const Stream& stream = plan.streams[f.stream];
+  auto c = to_counterexample(plan.methods[f.method], f.trial.query, stream.format, "");
   const std::string fmt(name_of(stream.format));
   c.id += "-" + std::string(stream.family->name) + "-" + fmt + "-" + std::to_string(f.k);
   c.finding["origin"] = {{"family", stream.family->name},
@@ -175,10 +135,9 @@ typename On::Case to_counterexample(const BasicFuzzPlan<On>& plan, const BasicFi
   return c;
 }
 
-template <class C>
-C shrunk(C c, const Method& method) {
-  const auto truth = exact_truth(c.query);
-  const auto seen = observe(method, c.query, blames_a_fault(c.finding) ? times_for_known_fault : 1);
+Case shrunk(Case c, const Method& method) {
+  const Truth truth = exact_truth(c.query);
+  const Asked seen = observe(method, c.query, blames_a_fault(c.finding) ? times_for_known_fault : 1);
   if (!seen.fault && judge(method, truth, seen.answer) != Judgement::wrong) {
     throw Failure(Exit::bad_input, c.id + ": " + method.name + " answers it rightly, expected a counterexample");
   }
@@ -188,22 +147,32 @@ C shrunk(C c, const Method& method) {
   return c;
 }
 
-template Case to_counterexample<OnTriangles>(const Method&, const Query&, Format, const std::string&);
-template Case to_counterexample(const FuzzPlan&, const Finding&);
-template Case shrunk(Case, const Method&);
-template PolygonCase to_counterexample<OnPolygons>(const Method&, const PolygonQuery&, Format, const std::string&);
-template PolygonCase to_counterexample(const PolygonFuzzPlan&, const PolygonFinding&);
-template PolygonCase shrunk(PolygonCase, const Method&);
+std::string to_lines(const std::vector<Case>& cases) {
+  std::string lines;
+  for (const Case& c : cases) lines += from_case(c).dump() + "\n";
+  return lines;
+}
 
 std::string mistaken_claim(const Case& c, const Truth& truth) {
-  const bool wrong_class = c.class_id != 0 && c.class_id != truth.class_id;
-  if (const std::string error = mistaken_expectation(c, truth); !error.empty() || !wrong_class) return error;
+  if (c.expect && *c.expect != truth.hit()) {
+    return std::string("the case expects ") + (*c.expect ? "a hit" : "no hit") + ", the exact answer is " +
+           describe(truth);
+  }
+  if (c.class_id == 0 || c.class_id == truth.class_id) return "";
   return "the case claims " + class_name(c.class_id) + ", the exact answer is " + describe(truth);
 }
 
-std::string mistaken_claim(const PolygonCase& c, const PolygonTruth& truth) { return mistaken_expectation(c, truth); }
-
-std::string replay(const Case& c, bool& wrong) { return replayed(c, wrong); }
-std::string replay(const PolygonCase& c, bool& wrong) { return replayed(c, wrong); }
+std::string replay(const Case& c, bool& wrong) {
+  const Truth truth = exact_truth(c.query);
+  std::string text = c.id + "  (" + std::string(name_of(c.format)) + ")\n" + points_of(c.query);
+  text += "  exact " + exact_evidence(c.query).dump() + "\n  exact answer " + describe(truth) + "\n";
+  if (const std::string error = mistaken_claim(c, truth); !error.empty()) {
+    wrong = true;
+    text += "  THE FILE IS WRONG: " + error + "\n";
+  }
+  text += row("method", "answer", "contact", "verdict");
+  for (const Method& method : all_methods()) text += verdict_of(method, c, truth, wrong);
+  return text;
+}
 
 }  // namespace tribunal

@@ -4,54 +4,40 @@
 #include <string>
 #include <vector>
 
-#include "exact/polygon/fuzz.h"
+#include "exact/harness/fuzz.h"
+#include "exact/io/case_io.h"
 
 namespace tribunal {
 
 /// The exact signs and parameter of a query, as anyone with rationals can recompute them.
 /// `abcp`, `abcq` are orient3d(a,b,c,·) of source and target; `pqab`, `pqbc`, `pqca` those of the probe's line.
 /// For a ray, q stands for the direction. `t` is where the probe meets the plane, as a fraction of [p,q] or in
-/// multiples of d; absent if it is parallel.
+/// multiples of d; absent if it is parallel. Of a polygon: the exact `contact` and `planar`.
 Json exact_evidence(const Query& query);
-
-/// Of a polygon: the exact `contact` and `planar`.
-Json exact_evidence(const PolygonQuery& query);
 
 /// The case with the exact answer, and with a "finding" that says what the method answered, the answer due by its
 /// convention, the exact evidence, every method's answer (null where operands or contract do not fit) and what it was
 /// made with.
 Case with_finding(Case c, const Method& method, const Truth& truth, const Answer& answer);
-PolygonCase with_finding(PolygonCase c, const Method& method, const PolygonTruth& truth, const PolygonAnswer& answer);
 
 /// The query, shrunk, likewise; `source` says where it came from.
-template <class On>
-typename On::Case to_counterexample(const Method& method, const typename On::Query& query, Format format,
-                                    const std::string& source);
+Case to_counterexample(const Method& method, const Query& query, Format format, const std::string& source);
 
 /// The finding, shrunk, likewise; its origin is the family, seed, case number and stress level it came from.
-template <class On>
-typename On::Case to_counterexample(const BasicFuzzPlan<On>& plan, const BasicFinding<On>& finding);
+Case to_counterexample(const FuzzPlan& plan, const Finding& finding);
 
 /// The case, shrunk, with its finding made anew; its origin stays. Fails with Exit::bad_input if the method answers it
 /// rightly.
-template <class C>
-C shrunk(C c, const Method& method);
+Case shrunk(Case c, const Method& method);
 
 /// One JSON line each.
-template <class C>
-std::string to_lines(const std::vector<C>& cases) {
-  std::string lines;
-  for (const C& c : cases) lines += from_case(c).dump() + "\n";
-  return lines;
-}
+std::string to_lines(const std::vector<Case>& cases);
 
 /// What a case's own "expect" or "class" has wrong, or nothing.
 std::string mistaken_claim(const Case& c, const Truth& truth);
-std::string mistaken_claim(const PolygonCase& c, const PolygonTruth& truth);
 
 /// What `replay` prints of a case: points, evidence, exact answer and every method's. Sets `wrong` if some method
 /// that takes the case answers wrongly, or the case claims something false of itself.
 std::string replay(const Case& c, bool& wrong);
-std::string replay(const PolygonCase& c, bool& wrong);
 
 }  // namespace tribunal

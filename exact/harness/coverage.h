@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "exact/harness/judge.h"
 #include "exact/harness/slot.h"
 
 namespace tribunal {

@@ -7,8 +7,7 @@
 namespace tribunal {
 namespace {
 
-template <class T>
-std::string said(const T& truth) {
+std::string said(const Truth& truth) {
   return truth.hit() ? "hit (" + std::string(name_of(truth.contact)) + ")" : "no hit";
 }
 
@@ -18,31 +17,12 @@ std::string line_of(const std::string& name, const Point3& p) {
   return line;
 }
 
-std::string points_of(const Probe& probe) {
-  if (const auto* s = std::get_if<Segment>(&probe)) return line_of("p", s->p) + line_of("q", s->q);
-  const Ray& r = std::get<Ray>(probe);
-  return line_of("o", r.o) + line_of("d", r.d.v);
-}
+std::string points_of(const Segment& s) { return line_of("p", s.p) + line_of("q", s.q); }
+std::string points_of(const Ray& r) { return line_of("o", r.o) + line_of("d", r.d.v); }
+std::string points_of(const Triangle& t) { return line_of("a", t.a) + line_of("b", t.b) + line_of("c", t.c); }
 
-}  // namespace
-
-std::string describe(const Truth& truth) {
-  if (truth.class_id == 0) return said(truth);
-  const ClassRow& row = class_row(truth.class_id);
-  return class_name(truth.class_id) + ": " + said(truth) + "; triangle " + row.triangle + ", " +
-         (is_ray_class(truth.class_id) ? "ray " : "segment ") + row.probe + ", meet in: " + row.intersection;
-}
-
-std::string describe(const PolygonTruth& truth) { return said(truth) + (truth.planar ? ", planar" : ", not planar"); }
-
-std::string points_of(const Query& query) {
-  const Triangle& t = query.triangle;
-  return points_of(query.probe) + line_of("a", t.a) + line_of("b", t.b) + line_of("c", t.c);
-}
-
-std::string points_of(const PolygonQuery& query) {
-  std::string text = points_of(query.probe);
-  const Polygon polygon = query.polygon;
+std::string points_of(const Polygon& polygon) {
+  std::string text;
   for (std::size_t r = 0; r < polygon.rings(); ++r) {
     const std::string name = r == 0 ? "outer" : "hole " + std::to_string(r);
     for (std::size_t i = 0; i < polygon.ring(r).size(); ++i) {
@@ -52,9 +32,22 @@ std::string points_of(const PolygonQuery& query) {
   return text;
 }
 
-std::string id_part(const Truth& truth) { return class_name(truth.class_id); }
+}  // namespace
 
-std::string id_part(const PolygonTruth& truth) {
+std::string describe(const Truth& truth) {
+  if (truth.operands() == Operands::polygons) return said(truth) + (truth.planar ? ", planar" : ", not planar");
+  const ClassRow& row = class_row(truth.class_id);
+  return class_name(truth.class_id) + ": " + said(truth) + "; triangle " + row.triangle + ", " +
+         (truth.of_ray ? "ray " : "segment ") + row.probe + ", meet in: " + row.intersection;
+}
+
+std::string points_of(const Query& query) {
+  const auto points = [](const auto& operand) { return points_of(operand); };
+  return std::visit(points, query.probe) + std::visit(points, query.target);
+}
+
+std::string id_part(const Truth& truth) {
+  if (truth.operands() == Operands::triangles) return class_name(truth.class_id);
   return std::string(name_of(truth.contact)) + (truth.planar ? "" : "-not-planar");
 }
 

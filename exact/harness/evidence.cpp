@@ -34,12 +34,11 @@ Json evidence(const P& probe, const Triangle& t) {
 }  // namespace
 
 Json exact_evidence(const Query& query) {
-  return std::visit([&](const auto& probe) { return evidence(probe, query.triangle); }, query.probe);
-}
-
-Json exact_evidence(const PolygonQuery& query) {
-  const PolygonTruth truth = exact_truth(query);
-  return {{"contact", name_of(truth.contact)}, {"planar", truth.planar}};
+  if (query.operands() == Operands::polygons) {
+    const Truth truth = exact_truth(query);
+    return {{"contact", name_of(truth.contact)}, {"planar", truth.planar}};
+  }
+  return std::visit([&](const auto& probe) { return evidence(probe, query.triangle()); }, query.probe);
 }
 
 }  // namespace tribunal

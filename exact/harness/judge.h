@@ -1,44 +1,26 @@
-// Right or wrong: the exact answer to a trial, and a method's answer held against it.
+// Right or wrong: a method's answer held against the exact one.
 #pragma once
 
 #include <array>
 
 #include "core/method.h"
-#include "exact/families/family.h"
+#include "exact/harness/truth.h"
 
 namespace tribunal {
 
-/// The exact answer.
-struct Truth {
-  ClassId class_id = 0;
-  Contact contact = Contact::none;
-
-  bool hit() const { return contact != Contact::none; }
-};
-
-/// The exact answer by ways that must agree: the class table (signs looked up), the Segura–Feito decision of the
-/// reference kernel, Carathéodory's theorem on the differences (which shares no formula with them), and CGAL's
-/// do_intersect where its preconditions hold. Fails with Exit::oracles_contradict and both witnesses where two differ;
-/// there is no majority.
-Truth exact_truth(const Query& query);
-
-/// What judged a family's cases, for reports.
-constexpr const char* oracle_of(const Family& family) {
-  return family.proves_class ? "construction, 1 case in 257 also by the other oracles"
-                             : "class table, rational kernel, Caratheodory, CGAL where defined";
-}
-
-/// By construction where the trial knows its class, else exact_truth. Case numbers divisible by 257 (prime, so that all
-/// classes and levels come up) are judged both ways.
-Truth truth_of(const Trial& trial, std::uint64_t k);
-
 enum class Judgement : std::uint8_t { right, wrong, unsupported };
 
-/// Judged by the method's own convention: coplanar contacts are misses to a transversal method.
-inline Judgement judge(const Method& method, const Truth& truth, const Answer& answer) {
-  if (answer.status != Status::ok) return Judgement::unsupported;
-  return answer.hit == counts_as_hit(truth.contact, method.convention) ? Judgement::right : Judgement::wrong;
-}
+/// Whether the method promises an answer to a case with this exact answer; and to all cases with these operands.
+bool promises(const Method& method, const Truth& truth);
+bool promises_all(const Method& method, Operands operands);
+
+/// The answer, or `unsupported` where the method promises none: an inexact method cannot tell by itself whether a
+/// polygon is planar, or a probe meets its boundary.
+Answer within_contract(const Method& method, const Truth& truth, const Answer& answer);
+
+/// By the method's own convention and promise: coplanar contacts are misses to a transversal method; probes that meet a
+/// ring edge and polygons that are not planar are not judged where the method promises nothing of them.
+Judgement judge(const Method& method, const Truth& truth, const Answer& answer);
 
 /// A binary32 method is on trial only where its operands are exact in binary32.
 constexpr bool takes(const Method& method, Format format) {

@@ -14,42 +14,36 @@ namespace tribunal {
 namespace {
 
 /// Fails where a case claims something false of itself.
-template <class On>
-void answer_exactly(ExamPart<On>& part, const std::string& path, unsigned threads, Progress& progress) {
+void answer_exactly(Exam& exam, const std::string& path, unsigned threads) {
   constexpr std::size_t block_size = 256;
-  part.truths.resize(part.cases.size());
+  const std::size_t n = exam.cases.size();
+  exam.truths.resize(n);
+  Progress progress("judge", "cases", n);
   const auto work = [&](std::size_t block, unsigned) {
-    const std::size_t begin = block * block_size, end = std::min(part.cases.size(), begin + block_size);
-    for (std::size_t i = begin; i < end; ++i) part.truths[i] = exact_truth(part.cases[i].query);
+    const std::size_t begin = block * block_size, end = std::min(n, begin + block_size);
+    for (std::size_t i = begin; i < end; ++i) exam.truths[i] = exact_truth(exam.cases[i].query);
     progress.add(end - begin, 0);
   };
-  run_blocks((part.cases.size() + block_size - 1) / block_size, threads, work, {});
+  run_blocks((n + block_size - 1) / block_size, threads, work, {});
   if (interrupted() != 0) throw Failure(static_cast<Exit>(128 + interrupted()), "interrupted; nothing was judged");
-  for (std::size_t i = 0; i < part.cases.size(); ++i) {
-    const std::string error = mistaken_claim(part.cases[i], part.truths[i]);
-    if (!error.empty()) throw bad_input(path, 0, part.cases[i].id + ": " + error);
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::string error = mistaken_claim(exam.cases[i], exam.truths[i]);
+    if (!error.empty()) throw bad_input(path, 0, exam.cases[i].id + ": " + error);
   }
 }
-
-void file(Exam& exam, const Case& c) { exam.triangles.cases.push_back(c); }
-void file(Exam& exam, const PolygonCase& c) { exam.polygons.cases.push_back(c); }
 
 /// Reads the cases, refusing a second one of the same id at its line.
 Exam read_distinct_cases(const std::string& path) {
   Exam exam;
   std::unordered_map<std::string, std::size_t> lines;
   for_each_line(path, [&](const Json& object, const Where& where) {
-    const AnyCase any = to_any_case(object, where);
-    std::visit([&](const auto& c) { file(exam, c); }, any);
-    auto& places = std::holds_alternative<Case>(any) ? exam.triangles.places : exam.polygons.places;
-    places.push_back(exam.ids.size());
-    exam.ids.push_back(std::visit([](const auto& c) { return c.id; }, any));
-    const auto [first, fresh] = lines.emplace(exam.ids.back(), where.line);
+    exam.cases.push_back(to_case(object, where));
+    const auto [first, fresh] = lines.emplace(exam.cases.back().id, where.line);
     if (fresh) return;
     where.fail("id \"" + first->first + "\" again, it was on line " + std::to_string(first->second) +
                "; expected one case an id");
   });
-  if (exam.ids.empty()) throw bad_input(path, 0, "holds no cases, expected one JSON object a line");
+  if (exam.cases.empty()) throw bad_input(path, 0, "holds no cases, expected one JSON object a line");
   return exam;
 }
 
@@ -145,13 +139,13 @@ class Sheets {
 
 Exam read_exam(const std::string& path, unsigned threads) {
   Exam exam = read_distinct_cases(path);
-  Progress progress("judge", "cases", exam.ids.size());
-  answer_exactly(exam.triangles, path, threads, progress);
-  answer_exactly(exam.polygons, path, threads, progress);
+  answer_exactly(exam, path, threads);
   return exam;
 }
 
-std::vector<AnswerSheet> read_answers(const std::string& path, const std::vector<std::string>& ids) {
+std::vector<AnswerSheet> read_answers(const std::string& path, const Exam& exam) {
+  std::vector<std::string> ids;
+  for (const Case& c : exam.cases) ids.push_back(c.id);
   Sheets sheets(ids);
   for_each_line(path, [&](const Json& object, const Where& where) { sheets.add(object, where); });
   return sheets.complete(path);

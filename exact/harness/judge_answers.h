@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "exact/polygon/fuzz.h"
+#include "exact/harness/truth.h"
+#include "exact/io/case_io.h"
 
 namespace tribunal {
 
@@ -14,19 +15,10 @@ struct AnswerSheet {
   std::vector<Answer> answers;
 };
 
-/// The cases of one kind with the exact answer to each, and where in the file they stand.
-template <class On>
-struct ExamPart {
-  std::vector<typename On::Case> cases{};
-  std::vector<typename On::Truth> truths{};
-  std::vector<std::size_t> places{};  ///< counted in cases, from 0
-};
-
-/// A case file with its exact answers.
+/// A case file with its exact answers, in the file's order.
 struct Exam {
-  std::vector<std::string> ids{};  ///< of all cases, in the file's order
-  ExamPart<OnTriangles> triangles{};
-  ExamPart<OnPolygons> polygons{};
+  std::vector<Case> cases{};
+  std::vector<Truth> truths{};
 };
 
 /// Reads a case file and answers it exactly. Fails with Exit::bad_input where two cases share an id or a case claims
@@ -34,9 +26,10 @@ struct Exam {
 Exam read_exam(const std::string& path, unsigned threads);
 
 /// Reads an answer file: for every method that it names, in the order in which it names them, exactly one answer to
-/// every case (by its id). Answers without a method belong to one called "answers". Fails with Exit::bad_input at an
-/// unknown id, a second answer, an answer that says nothing; and, with their number, where answers are missing.
-std::vector<AnswerSheet> read_answers(const std::string& path, const std::vector<std::string>& ids);
+/// every case of the exam (by its id). Answers without a method belong to one called "answers". Fails with
+/// Exit::bad_input at an unknown id, a second answer, an answer that says nothing; and, with their number, where
+/// answers are missing.
+std::vector<AnswerSheet> read_answers(const std::string& path, const Exam& exam);
 
 /// The sheet as a method that promises the convention: to be judged and reported as one, not to be asked.
 Method method_of(const AnswerSheet& sheet, Convention convention);

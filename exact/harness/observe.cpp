@@ -5,71 +5,48 @@
 namespace tribunal {
 namespace {
 
-const Answer& plain(const Answer& answer) { return answer; }
-const Answer& plain(const PolygonAnswer& answer) { return answer.answer; }
+/// A plain hit in front of the origin, and its mirror image behind it: a method that remembers the query before tells
+/// them apart by any sign.
+Query other_query(Operands operands, double side) {
+  const Segment s{{side, side, side}, {side, side, -side}};
+  const Triangle t{{0, 0, 0}, {4 * side, 0, 0}, {0, 4 * side, 0}};
+  if (operands == Operands::triangles) return {s, t};
+  return {s, PolygonData{}.add(std::vector<Point3>{t.a, t.b, t.c})};
+}
 
-template <class A, class Q>
-Asked<A> tried(const Method& method, const Q& query) {
+Fault fault_when_asked(const Method& method, const Query& query, const Answer& first) {
+  const Asked again = try_ask(method, query);
+  if (again.fault) return again.fault;
+  return say_the_same(again.answer, first) ? Fault{} : Fault{FaultKind::answers_differ};
+}
+
+}  // namespace
+
+Asked try_ask(const Method& method, const Query& query) {
   try {
-    const A answer = method.ask(query);
+    const Answer answer = method.ask(query);
     require_exact_rounding();  // another environment, left behind by one method, would spoil the next one's answer
     return {answer, {}};
   } catch (const MethodFault& f) {
-    return {A{refusal(Status::unsupported)}, f.fault()};
+    return {refusal(Status::unsupported), f.fault()};
   }
 }
 
-/// A plain hit in front of the origin, and its mirror image behind it: a method that remembers the query before tells
-/// them apart by any sign.
-Query other_query(double side) {
-  return {Segment{{side, side, side}, {side, side, -side}}, {{0, 0, 0}, {4 * side, 0, 0}, {0, 4 * side, 0}}};
-}
-
-PolygonQuery as_polygon(const Query& query) {
-  const Triangle& t = query.triangle;
-  PolygonQuery polygon{query.probe, {}};
-  polygon.polygon.add(std::vector<Point3>{t.a, t.b, t.c});
-  return polygon;
-}
-
-void ask_another(const Method& method, const Query&, double side) { try_ask(method, other_query(side)); }
-void ask_another(const Method& method, const PolygonQuery&, double side) {
-  try_ask(method, as_polygon(other_query(side)));
-}
-
-template <class Q, class A>
-Fault fault_when_asked(const Method& method, const Q& query, const A& first) {
-  const Asked<A> again = tried<A>(method, query);
-  if (again.fault) return again.fault;
-  return say_the_same(plain(again.answer), plain(first)) ? Fault{} : Fault{FaultKind::answers_differ};
-}
-
-template <class Q, class A>
-Fault fault_when_asked_again(const Method& method, const Q& query, const A& first, int times) {
+Fault asked_again(const Method& method, const Query& query, const Answer& first, int times) {
   for (int i = 0; i < times; ++i) {
     if (const Fault fault = fault_when_asked(method, query, first)) return fault;
     for (const double side : {1.0, -1.0}) {
-      ask_another(method, query, side);
+      try_ask(method, other_query(query.operands(), side));
       if (const Fault fault = fault_when_asked(method, query, first)) return fault;
     }
   }
   return {};
 }
 
-}  // namespace
-
-Asked<Answer> try_ask(const Method& method, const Query& query) { return tried<Answer>(method, query); }
-
-Asked<PolygonAnswer> try_ask(const Method& method, const PolygonQuery& query) {
-  return tried<PolygonAnswer>(method, query);
-}
-
-Fault asked_again(const Method& method, const Query& query, const Answer& first, int times) {
-  return fault_when_asked_again(method, query, first, times);
-}
-
-Fault asked_again(const Method& method, const PolygonQuery& query, const PolygonAnswer& first, int times) {
-  return fault_when_asked_again(method, query, first, times);
+Asked observe(const Method& method, const Query& query, int times) {
+  Asked asked = try_ask(method, query);
+  if (!asked.fault) asked.fault = asked_again(method, query, asked.answer, times);
+  return asked;
 }
 
 }  // namespace tribunal

@@ -7,27 +7,19 @@
 namespace tribunal {
 
 /// An answer, or the fault that there was instead; then the answer is `unsupported`.
-template <class A>
 struct Asked {
-  A answer{};
+  Answer answer{};
   Fault fault{};
 };
 
-Asked<Answer> try_ask(const Method& method, const Query& query);
-Asked<PolygonAnswer> try_ask(const Method& method, const PolygonQuery& query);
+Asked try_ask(const Method& method, const Query& query);
 
 /// What shows when the method, which answered thus, is asked the same again: at once, and after each of two other
 /// questions; all that `times` over. No fault if it answers the same every time.
 Fault asked_again(const Method& method, const Query& query, const Answer& first, int times = 1);
-Fault asked_again(const Method& method, const PolygonQuery& query, const PolygonAnswer& first, int times = 1);
 
 /// Asks, and asks again.
-template <class Q>
-auto observe(const Method& method, const Q& query, int times = 1) {
-  auto asked = try_ask(method, query);
-  if (!asked.fault) asked.fault = asked_again(method, query, asked.answer, times);
-  return asked;
-}
+Asked observe(const Method& method, const Query& query, int times = 1);
 
 /// Whether they say the same of a hit.
 inline bool say_the_same(const Answer& a, const Answer& b) { return a.status == b.status && a.hit == b.hit; }

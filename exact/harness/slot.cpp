@@ -13,17 +13,18 @@ constexpr std::size_t contact_count = 5;  ///< that an exact answer can have
 constexpr Slot first_construction = all_class_count + 1;
 
 /// A coplanar contact is one with a planar polygon.
-std::vector<PolygonTruth> find_outcomes() {
-  std::vector<PolygonTruth> found;
+std::vector<Truth> find_outcomes() {
+  std::vector<Truth> found;
   for (std::size_t contact = 0; contact < contact_count; ++contact) {
-    found.push_back({static_cast<Contact>(contact), true});
-    if (found.back().contact != Contact::coplanar) found.push_back({static_cast<Contact>(contact), false});
+    const auto outcome = static_cast<Contact>(contact);
+    found.push_back({.contact = outcome, .planar = true});
+    if (outcome != Contact::coplanar) found.push_back({.contact = outcome, .planar = false});
   }
   return found;
 }
 
-const std::vector<PolygonTruth>& outcomes() {
-  static const std::vector<PolygonTruth> found = find_outcomes();
+const std::vector<Truth>& outcomes() {
+  static const std::vector<Truth> found = find_outcomes();
   return found;
 }
 
@@ -46,15 +47,15 @@ bool is_class(Slot slot) { return slot > 0 && slot < first_construction; }
 bool is_construction(Slot slot) { return construction_slots().contains(slot); }
 bool is_outcome(Slot slot) { return outcome_slots().contains(slot); }
 
-const Known& construction_of(Slot slot) { return all_constructions()[construction_slots().index(slot)]; }
-const PolygonTruth& outcome_of(Slot slot) { return outcomes()[outcome_slots().index(slot)]; }
+const Construction& construction_of(Slot slot) { return all_constructions()[construction_slots().index(slot)]; }
+const Truth& outcome_of(Slot slot) { return outcomes()[outcome_slots().index(slot)]; }
 
-std::string name_of(const Known& c) {
+std::string name_of(const Construction& c) {
   return std::string(all_shapes()[c.shape].name) + " / " + std::string(name_of(c.place)) + " / " +
          std::string(name_of(c.approach));
 }
 
-std::string name_of(const PolygonTruth& truth) {
+std::string name_of(const Truth& truth) {
   return std::string(name_of(truth.contact)) + (truth.planar ? "" : ", not planar");
 }
 
@@ -65,7 +66,7 @@ int shape_member(Slot slot) { return is_construction(slot) ? static_cast<int>(co
 
 int place_member(Slot slot) {
   if (!is_construction(slot)) return -1;
-  const Known& c = construction_of(slot);
+  const Construction& c = construction_of(slot);
   return static_cast<int>(c.place) * approach_count + static_cast<int>(c.approach);
 }
 
@@ -97,14 +98,19 @@ SlotRange slots_of(Operands operands) {
 
 Operands operands_of(Slot slot) { return slot < first_construction ? Operands::triangles : Operands::polygons; }
 
-Slot slot_of(const Truth& truth) { return truth.class_id; }
-
-Slot slot_of(const PolygonTruth& truth) {
+Slot slot_of(const Truth& truth) {
+  if (truth.operands() == Operands::triangles) return truth.class_id;
   const std::size_t index = 2 * static_cast<std::size_t>(truth.contact) + (truth.planar ? 0 : 1);
   return outcome_slots().at(index, truth.of_ray);
 }
 
-Slot slot_of(const Known& construction, bool of_ray) { return construction_slots().at(index_of(construction), of_ray); }
+Slot slot_of(const Trial& trial, const Truth& truth) {
+  return trial.construction ? slot_of(*trial.construction, truth.of_ray) : slot_of(truth);
+}
+
+Slot slot_of(const Construction& construction, bool of_ray) {
+  return construction_slots().at(index_of(construction), of_ray);
+}
 
 bool is_of_rays(Slot slot) {
   if (is_class(slot)) return is_ray_class(slot);

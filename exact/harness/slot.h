@@ -6,12 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "exact/polygon/judge.h"
+#include "exact/harness/truth.h"
 
 namespace tribunal {
-
-/// The operands that a case is about: a triangle, or a polygon ("rings").
-enum class Operands : std::uint8_t { triangles, polygons };
 
 /// Of triangles: the class, of a segment or a ray. Above them, of polygons: the constructions
 /// (configuration × place × approach), for cases that know theirs; and the outcomes (contact, planar or not) for the
@@ -29,9 +26,13 @@ struct SlotRange {
 SlotRange slots_of(Operands operands);
 Operands operands_of(Slot slot);
 
+/// Of a case of which only the exact answer is known.
 Slot slot_of(const Truth& truth);
-Slot slot_of(const PolygonTruth& truth);
-Slot slot_of(const Known& construction, bool of_ray);
+
+/// Of a generated case: by its construction, if it knows that.
+Slot slot_of(const Trial& trial, const Truth& truth);
+
+Slot slot_of(const Construction& construction, bool of_ray);
 
 /// Whether the slot's cases have rays, else segments.
 bool is_of_rays(Slot slot);

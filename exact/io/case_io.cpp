@@ -44,6 +44,28 @@ Triangle to_triangle(const Json& value, Format format, const Where& where) {
   return {v[0], v[1], v[2]};
 }
 
+PolygonData to_polygon(const Json& rings, Format format, const Where& where) {
+  if (!rings.is_array() || rings.empty()) where.fail("expected an array of at least one ring");
+  PolygonData polygon;
+  for (std::size_t r = 0; r < rings.size(); ++r) {
+    const Where at = where.index(r);
+    if (!rings[r].is_array() || rings[r].empty()) at.fail("expected an array of at least one point");
+    for (std::size_t i = 0; i < rings[r].size(); ++i) {
+      polygon.vertices.push_back(to_point(rings[r][i], format, at.index(i)));
+    }
+    polygon.ends.push_back(polygon.vertices.size());
+  }
+  return polygon;
+}
+
+Target to_target(const Json& object, Format format, const Where& where) {
+  const bool triangle = object.contains("tri"), rings = object.contains("rings");
+  if (triangle && rings) where.key("tri").fail("expected one of \"tri\" and \"rings\", found both");
+  if (triangle) return to_triangle(object["tri"], format, where.key("tri"));
+  if (rings) return to_polygon(object["rings"], format, where.key("rings"));
+  where.fail("missing \"tri\" or \"rings\"");
+}
+
 Ray to_ray(const Json& value, Format format, const Where& where) {
   require_keys(value, {"o", "d"}, where);
   return {to_point(require(value, "o", where), format, where.key("o")),
@@ -74,37 +96,6 @@ ClassId to_class(const Json& object, const Where& where) {
   return id;
 }
 
-bool is_blank(std::string_view line) { return line.find_first_not_of(" \t\r") == std::string_view::npos; }
-
-}  // namespace
-
-CaseHead to_case_head(const Json& object, const Where& where) {
-  CaseHead head;
-  head.id = to_text(object, "id", where);
-  head.format = to_format(object, where);
-  head.probe = to_probe(object, head.format, where);
-  head.expect = to_expectation(object, where);
-  if (object.contains("source")) head.source = to_text(object, "source", where);
-  if (object.contains("finding")) head.finding = object["finding"];
-  return head;
-}
-
-Case to_case(const Json& object, const Where& where) {
-  require_keys(object, {"id", "fmt", "seg", "ray", "tri", "rings", "expect", "class", "source", "finding"}, where);
-  if (object.contains("rings"))
-    where.key("rings").fail("triangles are certified apart from polygons, expected \"tri\", or --polygons");
-  CaseHead head = to_case_head(object, where);
-  if (!object.contains("tri")) where.fail("missing \"tri\" or \"rings\"");
-  const Triangle triangle = to_triangle(object["tri"], head.format, where.key("tri"));
-  return {.id = std::move(head.id),
-          .format = head.format,
-          .query = {head.probe, triangle},
-          .expect = head.expect,
-          .class_id = to_class(object, where),
-          .source = std::move(head.source),
-          .finding = std::move(head.finding)};
-}
-
 void add_probe(Json& object, const Probe& probe) {
   if (const auto* s = std::get_if<Segment>(&probe)) {
     object["seg"] = {from_point(s->p), from_point(s->q)};
@@ -114,13 +105,67 @@ void add_probe(Json& object, const Probe& probe) {
   }
 }
 
+void add_target(Json& object, const Triangle& t) {
+  object["tri"] = {from_point(t.a), from_point(t.b), from_point(t.c)};
+}
+
+void add_target(Json& object, const Polygon& polygon) {
+  Json rings = Json::array();
+  for (std::size_t r = 0; r < polygon.rings(); ++r) {
+    Json ring = Json::array();
+    for (const Point3& v : polygon.ring(r)) ring.push_back(from_point(v));
+    rings.push_back(std::move(ring));
+  }
+  object["rings"] = std::move(rings);
+}
+
+/// Triangles and polygons are certified apart.
+void require_operands(Operands operands, const Json& object, const Where& where) {
+  if (!object.is_object()) return;
+  if (operands == Operands::triangles && object.contains("rings")) {
+    where.key("rings").fail("triangles are certified apart from polygons, expected \"tri\", or --polygons");
+  }
+  if (operands == Operands::polygons && object.contains("tri") && !object.contains("rings")) {
+    where.key("tri").fail("polygons are certified apart from triangles, expected \"rings\"");
+  }
+}
+
+std::vector<Case> read_cases(const std::string& path, std::optional<Operands> operands) {
+  std::vector<Case> cases;
+  for_each_line(path, [&](const Json& object, const Where& where) {
+    if (operands) require_operands(*operands, object, where);
+    cases.push_back(to_case(object, where));
+  });
+  if (cases.empty()) throw bad_input(path, 0, "holds no cases, expected one JSON object a line");
+  return cases;
+}
+
+bool is_blank(std::string_view line) { return line.find_first_not_of(" \t\r") == std::string_view::npos; }
+
+}  // namespace
+
+Case to_case(const Json& object, const Where& where) {
+  require_keys(object, {"id", "fmt", "seg", "ray", "tri", "rings", "expect", "class", "source", "finding"}, where);
+  Case c;
+  c.id = to_text(object, "id", where);
+  c.format = to_format(object, where);
+  c.query = {to_probe(object, c.format, where), to_target(object, c.format, where)};
+  c.expect = to_expectation(object, where);
+  c.class_id = to_class(object, where);
+  if (object.contains("rings") && object.contains("class")) {
+    where.key("class").fail("a case with \"rings\" has no class, expected none");
+  }
+  if (object.contains("source")) c.source = to_text(object, "source", where);
+  if (object.contains("finding")) c.finding = object["finding"];
+  return c;
+}
+
 Json from_case(const Case& c) {
   Json object;
   object["id"] = c.id;
   object["fmt"] = name_of(c.format);
   add_probe(object, c.query.probe);
-  const Triangle& t = c.query.triangle;
-  object["tri"] = {from_point(t.a), from_point(t.b), from_point(t.c)};
+  std::visit([&](const auto& target) { add_target(object, target); }, c.query.target);
   if (c.expect) object["expect"] = *c.expect ? 1 : 0;
   if (c.class_id != 0) object["class"] = class_name(c.class_id);
   if (!c.source.empty()) object["source"] = c.source;
@@ -142,23 +187,25 @@ void for_each_line(const std::string& path, const std::function<void(const Json&
   }
 }
 
-std::vector<Case> read_cases(const std::string& path) {
-  std::vector<Case> cases;
-  for_each_line(path, [&](const Json& object, const Where& where) { cases.push_back(to_case(object, where)); });
-  if (cases.empty()) throw bad_input(path, 0, "holds no cases, expected one JSON object a line");
-  return cases;
+std::vector<Case> read_cases(const std::string& path) { return read_cases(path, std::optional<Operands>{}); }
+
+std::vector<Case> read_cases(const std::string& path, Operands operands) {
+  return read_cases(path, std::optional(operands));
 }
 
-Json from_answer(const std::string& id, const Method& method, const Answer& answer) {
+Json from_answer(const Case& c, const Method& method, const Answer& answer) {
   Json object;
-  object["id"] = id;
+  object["id"] = c.id;
   object["method"] = method.name;
-  if (answer.status == Status::ok) object["hit"] = answer.hit ? 1 : 0;
+  const bool answered = answer.status == Status::ok;
+  if (answered) object["hit"] = answer.hit ? 1 : 0;
   object["status"] = name_of(answer.status);
   if (answer.class_id != 0) object["class"] = class_name(answer.class_id);
-  if (answer.status == Status::ok && answer.contact != Contact::unsaid) object["contact"] = name_of(answer.contact);
+  if (answered && answer.contact != Contact::unsaid) object["contact"] = name_of(answer.contact);
   if (answer.at != At::unsaid) object["at"] = name_of(answer.at);
   if (answer.stage != Stage::none) object["stage"] = name_of(answer.stage);
+  const bool tells_planar = c.query.operands() == Operands::polygons && method.polygon_promise.surface;
+  if (answered && tells_planar) object["planar"] = answer.planar;
   return object;
 }
 

@@ -17,27 +17,12 @@ struct Case {
   Format format = Format::binary64;
   Query query{};
   std::optional<bool> expect{};  ///< closed-set reading
-  ClassId class_id = 0;
+  ClassId class_id = 0;          ///< of a triangle; 0: not said
   std::string source{};
   Json finding{};  ///< what a counterexample adds: carried along, not interpreted
 };
 
-/// What cases have in common, whatever their probe is held against.
-struct CaseHead {
-  std::string id;
-  Format format;
-  Probe probe;
-  std::optional<bool> expect;
-  std::string source;
-  Json finding;
-};
-
-CaseHead to_case_head(const Json& object, const Where& where);
-
-/// "seg" or "ray".
-void add_probe(Json& object, const Probe& probe);
-
-/// One case. A key that the format does not have is an error.
+/// One case, with "tri" or "rings". A key that the format does not have is an error.
 Case to_case(const Json& object, const Where& where);
 
 Json from_case(const Case& c);
@@ -48,6 +33,10 @@ void for_each_line(const std::string& path, const std::function<void(const Json&
 /// Every line of a case file that is not blank, in order. An empty file is an error.
 std::vector<Case> read_cases(const std::string& path);
 
-Json from_answer(const std::string& id, const Method& method, const Answer& answer);
+/// The same, where every case must have these operands.
+std::vector<Case> read_cases(const std::string& path, Operands operands);
+
+/// The method's answer to the case; of polygons with "planar".
+Json from_answer(const Case& c, const Method& method, const Answer& answer);
 
 }  // namespace tribunal

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "core/query.h"
+#include "core/operands.h"
 #include "exact/kernels/dyadic.h"
 
 namespace tribunal {

@@ -1,6 +1,8 @@
 #include "exact/log/sample_row.h"
 
 #include <array>
+#include <tuple>
+#include <utility>
 
 namespace tribunal {
 namespace {
@@ -99,6 +101,23 @@ SampleRow to_sample_row(const Json& record, const Where& where) {
     row.counts[to_slot(item.key(), where)] = to_count(item.value(), where.key(item.key()));
   }
   return row;
+}
+
+std::vector<SampleRow> rows_of(const FuzzPlan& plan, const FuzzReport& report) {
+  std::map<std::tuple<std::size_t, std::size_t, std::size_t>, SampleRow> rows;
+  report.counts.for_each([&](const Cell& cell, const Count& count) {
+    const Stream& stream = plan.streams[cell.stream];
+    SampleRow& row = rows[{cell.method, cell.stream, cell.level}];
+    row.method = plan.methods[cell.method].name;
+    row.family = stream.family->name;
+    row.format = stream.format;
+    row.level = cell.level;
+    row.stress = stream.family->levels(stream.format)[cell.level];
+    row.counts[cell.slot] = count;
+  });
+  std::vector<SampleRow> list;
+  for (auto& [key, row] : rows) list.push_back(std::move(row));
+  return list;
 }
 
 }  // namespace tribunal

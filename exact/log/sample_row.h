@@ -3,8 +3,6 @@
 
 #include <map>
 #include <string>
-#include <tuple>
-#include <utility>
 #include <vector>
 
 #include "exact/harness/fuzz.h"
@@ -27,23 +25,7 @@ Count total_of(const SampleRow& row);
 Count total_of(const SampleRow& row, bool rays);
 
 /// All rows of a report in which anything was asked, in the plan's order.
-template <class On>
-std::vector<SampleRow> rows_of(const BasicFuzzPlan<On>& plan, const BasicFuzzReport<On>& report) {
-  std::map<std::tuple<std::size_t, std::size_t, std::size_t>, SampleRow> rows;
-  report.counts.for_each([&](const Cell& cell, const Count& count) {
-    const BasicStream<On>& stream = plan.streams[cell.stream];
-    SampleRow& row = rows[{cell.method, cell.stream, cell.level}];
-    row.method = plan.methods[cell.method].name;
-    row.family = stream.family->name;
-    row.format = stream.format;
-    row.level = cell.level;
-    row.stress = stream.family->levels(stream.format)[cell.level];
-    row.counts[cell.slot] = count;
-  });
-  std::vector<SampleRow> list;
-  for (auto& [key, row] : rows) list.push_back(std::move(row));
-  return list;
-}
+std::vector<SampleRow> rows_of(const FuzzPlan& plan, const FuzzReport& report);
 
 /// The record "sample". A count is [asked, wrong, unsupported, filter, expansion, exact] without trailing zeros; what
 /// no stage answered came from a method without stages.

@@ -7,7 +7,7 @@
 
 #include <array>
 
-#include "core/query.h"
+#include "core/operands.h"
 #include "core/sign.h"
 #include "core/vec3.h"
 

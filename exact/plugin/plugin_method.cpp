@@ -99,7 +99,7 @@ using Coordinates = std::array<double, 15>;
 
 constexpr int kind_of(const Segment&) { return TRIBUNAL_SEGMENT; }
 constexpr int kind_of(const Ray&) { return TRIBUNAL_RAY; }
-int kind_of(const Query& q) {
+int kind_of(const TrianglePair& q) {
   return std::visit([](const auto& probe) { return kind_of(probe); }, q.probe);
 }
 
@@ -157,8 +157,8 @@ class Caller {
     return line_.answer_from(said);
   }
 
-  void ask_all(std::span<const Query> queries, std::span<Answer> answers) const {
-    for (const int kind : {TRIBUNAL_SEGMENT, TRIBUNAL_RAY}) ask_kind(kind, queries, answers);
+  void ask_all(std::span<const TrianglePair> pairs, std::span<Answer> answers) const {
+    for (const int kind : {TRIBUNAL_SEGMENT, TRIBUNAL_RAY}) ask_kind(kind, pairs, answers);
   }
 
  private:
@@ -176,15 +176,15 @@ class Caller {
     throw MethodFault({FaultKind::threw, what}, line_.file + ": threw " + what + ", on " + from_case(thrown).dump());
   }
 
-  /// One call for all queries whose probe is of the kind.
-  void ask_kind(int kind, std::span<const Query> queries, std::span<Answer> answers) const {
+  /// One call for all pairs whose probe is of the kind.
+  void ask_kind(int kind, std::span<const TrianglePair> pairs, std::span<Answer> answers) const {
     constexpr int not_answered = -1;
     std::vector<Coordinates> packed;
     std::vector<std::size_t> places;
-    for (std::size_t i = 0; i < queries.size(); ++i) {
-      if (kind_of(queries[i]) != kind) continue;
-      const auto coordinates_here = [&](const auto& p) { return coordinates_of(p, queries[i].triangle, line_.format); };
-      const Coordinates x = std::visit(coordinates_here, queries[i].probe);
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      if (kind_of(pairs[i]) != kind) continue;
+      const auto coordinates_here = [&](const auto& p) { return coordinates_of(p, pairs[i].triangle, line_.format); };
+      const Coordinates x = std::visit(coordinates_here, pairs[i].probe);
       answers[i] = refusal(Status::unsupported);
       if (!is_finite(x)) continue;
       packed.push_back(x);
@@ -214,15 +214,17 @@ class PolygonCaller {
   }
 
   template <class P>
-  PolygonAnswer ask(const P& probe) const {
+  Answer ask(const P& probe) const {
     std::vector<double> x;
     add(x, source(probe));
     add(x, coordinates(target(probe)));
-    if (!is_finite(x) || !is_finite(vertices_)) return {.answer = refusal(Status::unsupported)};
+    if (!is_finite(x) || !is_finite(vertices_)) return refusal(Status::unsupported);
     const tribunal_polygon polygon = {ends_.size(), ends_.data(), vertices_.data()};
     const int said = ask_(kind_of(probe), x.data(), &polygon);
     line_.require_same_environment();
-    return {line_.answer_from(said), planar_};
+    Answer answer = line_.answer_from(said);
+    answer.planar = planar_;
+    return answer;
   }
 
  private:
@@ -272,9 +274,7 @@ Method plugin_method(const tribunal_plugin& plugin, const std::string& file, con
   method.segment = [caller](const Segment& s, const Triangle& t) { return caller.ask(s, t); };
   method.ray = [caller](const Ray& r, const Triangle& t) { return caller.ask(r, t); };
   if (plugin.ask != nullptr && plugin.ask_batch != nullptr) {
-    method.batch = [caller](std::span<const Query> queries, std::span<Answer> answers) {
-      caller.ask_all(queries, answers);
-    };
+    method.batch = [caller](std::span<const TrianglePair> pairs, std::span<Answer> answers) { caller.ask_all(pairs, answers); };
   }
   return method;
 }

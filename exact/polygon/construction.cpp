@@ -6,13 +6,13 @@
 namespace tribunal {
 namespace {
 
-std::size_t flat_index(const Known& c) {
+std::size_t flat_index(const Construction& c) {
   const auto place = static_cast<std::size_t>(c.place), approach = static_cast<std::size_t>(c.approach);
   return (c.shape * place_count + place) * approach_count + approach;
 }
 
-std::vector<Known> find_constructions() {
-  std::vector<Known> found;
+std::vector<Construction> find_constructions() {
+  std::vector<Construction> found;
   for (std::size_t shape = 0; shape < shape_count; ++shape) {
     const Places& places = places_of(all_shapes()[shape]);
     for (std::size_t place = 0; place < place_count; ++place) {
@@ -27,13 +27,13 @@ std::vector<Known> find_constructions() {
 
 }  // namespace
 
-std::span<const Known> all_constructions() {
-  static const std::vector<Known> constructions = find_constructions();
+std::span<const Construction> all_constructions() {
+  static const std::vector<Construction> constructions = find_constructions();
   return constructions;
 }
 
-std::size_t index_of(const Known& construction) {
-  const std::span<const Known> all = all_constructions();
+std::size_t index_of(const Construction& construction) {
+  const std::span<const Construction> all = all_constructions();
   return static_cast<std::size_t>(std::ranges::lower_bound(all, flat_index(construction), {}, flat_index) -
                                   all.begin());
 }

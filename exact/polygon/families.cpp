@@ -9,7 +9,7 @@
 #include "exact/families/probe.h"
 #include "exact/families/shapes.h"
 #include "exact/families/ulp.h"
-#include "exact/polygon/family.h"
+#include "exact/polygon/table.h"
 
 namespace tribunal {
 namespace {
@@ -103,37 +103,37 @@ std::size_t level_of(std::uint64_t k, std::size_t levels) { return k / round_siz
 
 /// The shapes, places and approaches in turn; each pair of the first two meets every approach at every level within
 /// three rounds of levels. A place that the shape does not have gives way to the next that it has.
-Known known_of(std::uint64_t k, std::size_t levels) {
-  Known known{k % shape_count, static_cast<PolygonPlace>(k / shape_count % place_count),
-              static_cast<Approach>((k + k / (round_size * levels)) % approach_count)};
-  const Places& places = places_of(all_shapes()[known.shape]);
-  auto place = static_cast<std::size_t>(known.place);
+Construction construction_of(std::uint64_t k, std::size_t levels) {
+  Construction made{k % shape_count, static_cast<PolygonPlace>(k / shape_count % place_count),
+                    static_cast<Approach>((k + k / (round_size * levels)) % approach_count)};
+  const Places& places = places_of(all_shapes()[made.shape]);
+  auto place = static_cast<std::size_t>(made.place);
   while (places[place].empty()) place = (place + 1) % place_count;
-  known.place = static_cast<PolygonPlace>(place);
-  return known;
+  made.place = static_cast<PolygonPlace>(place);
+  return made;
 }
 
-PolygonTrial affine_trial(Format format, Draw& draw, std::uint64_t k, const AffineMap& map, std::size_t levels) {
-  const Known known = known_of(k, levels);
-  const Shape& shape = all_shapes()[known.shape];
-  const auto& candidates = places_of(shape)[static_cast<std::size_t>(known.place)];
+Trial affine_trial(Format format, Draw& draw, std::uint64_t k, const AffineMap& map, std::size_t levels) {
+  const Construction made = construction_of(k, levels);
+  const Shape& shape = all_shapes()[made.shape];
+  const auto& candidates = places_of(shape)[static_cast<std::size_t>(made.place)];
   const PlanePoint x = candidates[draw.below(candidates.size())];
-  const Segment s = draw_piercing(draw, map, x, known.approach);
+  const Segment s = draw_piercing(draw, map, x, made.approach);
   const Probe probe = draw_probe(draw, format, s);
   return {.query = {probe, image(map, shape.rings)},
           .format = format,
           .level = static_cast<std::uint16_t>(level_of(k, levels)),
-          .known = known};
+          .construction = made};
 }
 
-PolygonTrial make_affine(Format format, std::uint64_t seed, std::uint64_t k) {
+Trial make_affine(Format format, std::uint64_t seed, std::uint64_t k) {
   Draw draw(101, seed, k);
   const std::size_t levels = fills(format).size();
   const AffineMap map = draw_polygon_map(draw, format, fills(format)[level_of(k, levels)]);
   return affine_trial(format, draw, k, map, levels);
 }
 
-PolygonTrial make_scale(Format format, std::uint64_t seed, std::uint64_t k) {
+Trial make_scale(Format format, std::uint64_t seed, std::uint64_t k) {
   Draw draw(102, seed, k);
   const std::size_t levels = scales(format).size();
   AffineMap map = draw_map(draw, 0);
@@ -142,14 +142,14 @@ PolygonTrial make_scale(Format format, std::uint64_t seed, std::uint64_t k) {
   return affine_trial(format, draw, k, map, levels);
 }
 
-PolygonTrial make_ulp(Format format, std::uint64_t seed, std::uint64_t k) {
+Trial make_ulp(Format format, std::uint64_t seed, std::uint64_t k) {
   Draw draw(103, seed, k);
   const std::size_t levels = ulp_levels(format).size();
   const int bits = fills(format)[draw.below(fills(format).size())];
   const AffineMap map = draw_polygon_map(draw, format, bits);
-  PolygonTrial trial = affine_trial(format, draw, k, map, levels);
-  trial.known.reset();
-  std::vector<Point3>& vertices = trial.query.polygon.vertices;
+  Trial trial = affine_trial(format, draw, k, map, levels);
+  trial.construction.reset();
+  std::vector<Point3>& vertices = trial.query.polygon().vertices;
   auto* s = std::get_if<Segment>(&trial.query.probe);
   const std::uint64_t moved = draw.below(vertices.size() + 2);
   Point3& v = moved < vertices.size()    ? vertices[moved]
@@ -163,7 +163,7 @@ PolygonTrial make_ulp(Format format, std::uint64_t seed, std::uint64_t k) {
 }
 
 /// Both ends in the plane, at integer points around the shape.
-PolygonTrial make_in_plane(Format format, std::uint64_t seed, std::uint64_t k) {
+Trial make_in_plane(Format format, std::uint64_t seed, std::uint64_t k) {
   Draw draw(104, seed, k);
   const std::size_t level = k / shape_count % fills(format).size();
   const AffineMap map = draw_polygon_map(draw, format, fills(format)[level]);
@@ -191,7 +191,7 @@ std::vector<PlaneRing> draw_grid_rings(Draw& draw, int count) {
   return rings;
 }
 
-PolygonTrial make_grid(Format format, std::uint64_t seed, std::uint64_t k) {
+Trial make_grid(Format format, std::uint64_t seed, std::uint64_t k) {
   Draw draw(105, seed, k);
   const std::size_t level = k % count_levels(format).size();
   const int bits = fills(format)[draw.below(fills(format).size())];
@@ -212,7 +212,7 @@ Lattice3 draw_lattice(Draw& draw, int side) {
 }
 
 /// Rings whose vertices are anywhere on {0..2}³, probes between points of {0..2}³: exact degeneracies, no plane.
-PolygonTrial make_warped(Format format, std::uint64_t seed, std::uint64_t k) {
+Trial make_warped(Format format, std::uint64_t seed, std::uint64_t k) {
   Draw draw(106, seed, k);
   const std::size_t level = k % fills(format).size();
   const AffineMap map = draw_polygon_map(draw, format, fills(format)[level]);
@@ -264,7 +264,7 @@ std::size_t level_with_tail(std::uint64_t k) {
 
 /// Teeth between the level before and this one, any number of holes with a tail; rings in any order, each from any
 /// start. The probe is up to 2¹⁴ times as long as the polygon is high, where the format holds it.
-PolygonTrial make_many(Format format, std::uint64_t seed, std::uint64_t k) {
+Trial make_many(Format format, std::uint64_t seed, std::uint64_t k) {
   Draw draw(108, seed, k);
   const std::size_t level = level_with_tail(k);
   const int teeth = static_cast<int>(draw.between(level == 0 ? 1 : most_teeth[level - 1], most_teeth[level]));
@@ -296,7 +296,7 @@ PolygonTrial make_many(Format format, std::uint64_t seed, std::uint64_t k) {
 
 /// A star-shaped ring in a random plane, each vertex rounded: planar as it comes from a modelling program. The probe
 /// aims at a vertex, a point of an edge or spoke, or anywhere near, as it rounds.
-PolygonTrial make_rounded(Format format, std::uint64_t seed, std::uint64_t k) {
+Trial make_rounded(Format format, std::uint64_t seed, std::uint64_t k) {
   Draw draw(107, seed, k);
   const std::size_t level = k % count_levels(format).size();
   const int n = count_levels(format)[level];
@@ -326,32 +326,29 @@ PolygonTrial make_rounded(Format format, std::uint64_t seed, std::uint64_t k) {
 
 }  // namespace
 
-std::span<const PolygonFamily> all_polygon_families() {
-  static constexpr PolygonFamily table[] = {
+std::span<const Family> polygon_families() {
+  static const Family table[] = {
       {"polygon-affine", "22 ring configurations, 26 kinds of place, with growing mantissa fill",
-       "exact affine images of the shapes", "bits of the map's entries", true, fills, make_affine},
+       "exact affine images of the shapes", "bits of the map's entries", true, fills, make_affine, Operands::polygons},
       {"polygon-scale", "underflow and overflow: the same from subnormals to the largest numbers",
-       "small images of the shapes, axes scaled by powers of two", "log2 of the scale", true, scales, make_scale},
+       "small images of the shapes, axes scaled by powers of two", "log2 of the scale", true, scales, make_scale,
+       Operands::polygons},
       {"polygon-ulp", "near-degeneracy: one coordinate some ulps off, so planar only up to rounding",
-       "affine images of the shapes, one coordinate moved", "units in the last place", false, ulp_levels, make_ulp},
+       "affine images of the shapes, one coordinate moved", "units in the last place", false, ulp_levels, make_ulp,
+       Operands::polygons},
       {"polygon-in-plane", "probes in the plane of the polygon", "affine images of the shapes, probes in their plane",
-       "bits of the map's entries", false, fills, make_in_plane},
+       "bits of the map's entries", false, fills, make_in_plane, Operands::polygons},
       {"polygon-grid", "random rings on a grid, degenerate in every way", "exact affine images of rings on a 5x5 grid",
-       "vertices, at most", false, count_levels, make_grid},
+       "vertices, at most", false, count_levels, make_grid, Operands::polygons},
       {"polygon-warped", "rings that are not planar, exact degeneracies", "exact affine images of rings in {0,1,2}^3",
-       "bits of the map's entries", false, fills, make_warped},
+       "bits of the map's entries", false, fills, make_warped, Operands::polygons},
       {"polygon-rounded", "star-shaped rings planar up to rounding, aimed at vertices, edges and spokes",
-       "random rings in [-1,1]^3 as they round", "vertices", false, count_levels, make_rounded},
+       "random rings in [-1,1]^3 as they round", "vertices", false, count_levels, make_rounded, Operands::polygons},
       {"polygon-many", "thousands of vertices and rings, each of which decides an answer; probes 2^14 times as long",
-       "exact affine images of a wall of teeth with holes", "teeth, at most", false, teeth_levels, make_many},
+       "exact affine images of a wall of teeth with holes", "teeth, at most", false, teeth_levels, make_many,
+       Operands::polygons},
   };
   return table;
-}
-
-const PolygonFamily* find_polygon_family(std::string_view name) {
-  const auto families = all_polygon_families();
-  const auto found = std::ranges::find(families, name, &PolygonFamily::name);
-  return found == families.end() ? nullptr : &*found;
 }
 
 }  // namespace tribunal

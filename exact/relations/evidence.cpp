@@ -31,7 +31,7 @@ struct Line {
 Line line_of(const Segment& s) { return {lift<Dyadic>(s.p), lift<Dyadic>(s.q) - lift<Dyadic>(s.p), false}; }
 Line line_of(const Ray& r) { return {lift<Dyadic>(r.o), lift<Dyadic>(r.d.v), true}; }
 
-struct Operands {
+struct Lifted {
   Line probe;
   std::array<Vector, 3> v;
 
@@ -39,8 +39,8 @@ struct Operands {
   Vector normal() const { return cross(v[1] - v[0], v[2] - v[0]); }
 };
 
-Operands operands_of(const Query& query) {
-  const Triangle& t = query.triangle;
+Lifted lifted(const Query& query) {
+  const Triangle& t = query.triangle();
   return {std::visit([](const auto& probe) { return line_of(probe); }, query.probe),
           {lift<Dyadic>(t.a), lift<Dyadic>(t.b), lift<Dyadic>(t.c)}};
 }
@@ -67,13 +67,13 @@ bool lies_on(const Homogeneous& h, const Line& line) {
          (line.endless || at_least(h.w * dot(line.d, line.d), reach));
 }
 
-int edges_through(const Homogeneous& h, const Operands& q) {
+int edges_through(const Homogeneous& h, const Lifted& q) {
   int edges = 0;
   for (std::size_t i = 0; i < 3; ++i) edges += lies_on(h, q.edge(i));
   return edges;
 }
 
-bool lies_in_triangle(const Homogeneous& h, const Operands& q) {
+bool lies_in_triangle(const Homogeneous& h, const Lifted& q) {
   const Vector n = q.normal();
   if (is_zero(n)) return edges_through(h, q) > 0;
   if (!is_zero(dot(n, h.x - h.w * q.v[0]))) return false;
@@ -84,7 +84,7 @@ bool lies_in_triangle(const Homogeneous& h, const Operands& q) {
   return true;
 }
 
-bool is_common(const Homogeneous& h, const Operands& q) { return lies_on(h, q.probe) && lies_in_triangle(h, q); }
+bool is_common(const Homogeneous& h, const Lifted& q) { return lies_on(h, q.probe) && lies_in_triangle(h, q); }
 
 /// Where the lines come nearest to each other: their crossing, if they have one.
 void add_crossing(const Line& line, const Line& edge, std::vector<Homogeneous>& points) {
@@ -94,14 +94,14 @@ void add_crossing(const Line& line, const Line& edge, std::vector<Homogeneous>& 
 }
 
 /// If operands in one plane, or a triangle without area, have a common point, one of these is.
-std::vector<Homogeneous> candidates(const Operands& q) {
+std::vector<Homogeneous> candidates(const Lifted& q) {
   std::vector<Homogeneous> points{{q.probe.o, one}, {q.v[0], one}, {q.v[1], one}, {q.v[2], one}};
   if (!q.probe.endless) points.push_back({q.probe.o + q.probe.d, one});
   for (std::size_t i = 0; i < 3; ++i) add_crossing(q.probe, q.edge(i), points);
   return points;
 }
 
-CommonPoint described(const Homogeneous& h, const Operands& q) {
+CommonPoint described(const Homogeneous& h, const Lifted& q) {
   constexpr Contact contacts[] = {Contact::interior, Contact::edge, Contact::vertex, Contact::vertex};
   const Vector from_source = h.x - h.w * q.probe.o;
   const bool at_target = !q.probe.endless && is_zero(from_source - h.w * q.probe.d);
@@ -109,7 +109,7 @@ CommonPoint described(const Homogeneous& h, const Operands& q) {
 }
 
 /// n·x is larger on all of the triangle than on all of the probe.
-bool lies_above(const Operands& q, const Vector& n) {
+bool lies_above(const Lifted& q, const Vector& n) {
   const Dyadic rise = dot(n, q.probe.d);
   if (q.probe.endless && is_positive(rise)) return false;
   for (const Vector& v : q.v) {
@@ -120,12 +120,12 @@ bool lies_above(const Operands& q, const Vector& n) {
   return true;
 }
 
-bool separates(const Operands& q, const Vector& n) { return lies_above(q, n) || lies_above(q, Vector{} - n); }
+bool separates(const Lifted& q, const Vector& n) { return lies_above(q, n) || lies_above(q, Vector{} - n); }
 
 }  // namespace
 
 std::optional<CommonPoint> common_point(const Query& query) {
-  const Operands q = operands_of(query);
+  const Lifted q = lifted(query);
   const Vector n = q.normal();
   const Dyadic slope = dot(n, q.probe.d);
   if (!is_zero(slope)) {
@@ -142,7 +142,7 @@ std::optional<CommonPoint> common_point(const Query& query) {
 /// triangle or of an edge and the probe. If D is flat, its plane does, or an edge of D within it: such a normal times
 /// an edge. If D lies on a line, that line's direction does, or what leads from the origin straight to the line.
 bool has_separating_plane(const Query& query) {
-  const Operands q = operands_of(query);
+  const Lifted q = lifted(query);
   const std::array<Vector, 4> edges{q.edge(0).d, q.edge(1).d, q.edge(2).d, q.probe.d};
   const std::array<Vector, 4> normals{q.normal(), cross(edges[0], edges[3]), cross(edges[1], edges[3]),
                                       cross(edges[2], edges[3])};

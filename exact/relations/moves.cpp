@@ -29,7 +29,7 @@ bool fits(const Triangle& t, Format format) { return fits(t.a, format) && fits(t
 /// The query under x ↦ point(x), whose linear part is `vector`; nothing if a coordinate does not survive.
 template <class F, class G>
 Changed under(const Query& query, Format format, const F& point, const G& vector) {
-  const Triangle& t = query.triangle;
+  const Triangle& t = query.triangle();
   const Triangle placed{point(t.a), point(t.b), point(t.c)};
   if (!fits(placed, format)) return {};
   return std::visit(
@@ -75,15 +75,15 @@ Point3 exact_midpoint(const Point3& x, const Point3& y) {
 
 Changed vertex_order(const Query& query, Format, Draw& draw) {
   constexpr std::size_t orders[5][3] = {{0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
-  const Triangle& t = query.triangle;
+  const Triangle& t = query.triangle();
   const std::array<Point3, 3> v{t.a, t.b, t.c};
   const auto& order = orders[draw.below(5)];
-  return Query{query.probe, {v[order[0]], v[order[1]], v[order[2]]}};
+  return Query{query.probe, Triangle{v[order[0]], v[order[1]], v[order[2]]}};
 }
 
 Changed reversal(const Query& query, Format, Draw&) {
   const auto* s = std::get_if<Segment>(&query.probe);
-  return s != nullptr ? Query{Segment{s->q, s->p}, query.triangle} : Changed{};
+  return s != nullptr ? Query{Segment{s->q, s->p}, query.triangle()} : Changed{};
 }
 
 Changed axis_map(const Query& query, Format format, Draw& draw) {
@@ -113,7 +113,7 @@ Changed axis_scale(const Query& query, Format format, Draw& draw) {
 }
 
 Changed translation(const Query& query, Format format, Draw& draw) {
-  const Point3 by = draw.below(2) == 0 ? -query.triangle.a : draw_lattice_point(draw, 20, 1);
+  const Point3 by = draw.below(2) == 0 ? -query.triangle().a : draw_lattice_point(draw, 20, 1);
   return under(
       query, format, [&](const Point3& p) { return exact_sum(p, by); }, [](const Point3& v) { return v; });
 }
@@ -149,8 +149,8 @@ Changed direction_scale(const Query& query, Format format, Draw& draw) {
   const Point3& v = r->d.v;
   const Point3 once(exact_scale(v.x, e), exact_scale(v.y, e), exact_scale(v.z, e));
   const Point3 thrice = exact_sum(once, exact_sum(once, once));
-  if (fits(thrice, format)) return Query{Ray{r->o, {thrice}}, query.triangle};
-  return fits(once, format) ? Query{Ray{r->o, {once}}, query.triangle} : Changed{};
+  if (fits(thrice, format)) return Query{Ray{r->o, {thrice}}, query.triangle()};
+  return fits(once, format) ? Query{Ray{r->o, {once}}, query.triangle()} : Changed{};
 }
 
 /// Through the text of a case file: written as what it is, read as binary64.
@@ -165,11 +165,11 @@ Changed longer_segment(const Query& query, Format format, Draw&) {
   const auto* s = std::get_if<Segment>(&query.probe);
   if (s == nullptr) return {};
   const Point3 r = exact_sum(s->q, exact_sum(s->q, -s->p));
-  return fits(r, format) ? Query{Segment{s->p, r}, query.triangle} : Changed{};
+  return fits(r, format) ? Query{Segment{s->p, r}, query.triangle()} : Changed{};
 }
 
 Changed larger_triangle(const Query& query, Format format, Draw&) {
-  Triangle t = query.triangle;
+  Triangle t = query.triangle();
   t.b = exact_sum(t.b, exact_sum(t.b, -t.a));
   return fits(t.b, format) ? Query{query.probe, t} : Changed{};
 }
@@ -178,7 +178,7 @@ Changed ray_of_segment(const Query& query, Format format, Draw&) {
   const auto* s = std::get_if<Segment>(&query.probe);
   if (s == nullptr) return {};
   const Point3 d = exact_sum(s->q, -s->p);
-  return fits(d, format) ? Query{Ray{s->p, {d}}, query.triangle} : Changed{};
+  return fits(d, format) ? Query{Ray{s->p, {d}}, query.triangle()} : Changed{};
 }
 
 }  // namespace tribunal

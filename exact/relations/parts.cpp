@@ -73,40 +73,40 @@ Instance implies(std::vector<Query> one, std::vector<Query> other) {
 std::optional<Instance> probe_in_two(const Query& query, Format format, Draw&) {
   const std::vector<Probe> parts = std::visit([&](const auto& probe) { return halves(probe, format); }, query.probe);
   if (parts.empty()) return {};
-  return equal({query}, {{parts[0], query.triangle}, {parts[1], query.triangle}});
+  return equal({query}, {{parts[0], query.triangle()}, {parts[1], query.triangle()}});
 }
 
 std::optional<Instance> triangle_in_two(const Query& query, Format format, Draw& draw) {
-  const Triangle t = turned(query.triangle, draw.below(3));
+  const Triangle t = turned(query.triangle(), draw.below(3));
   const Point3 m = exact_midpoint(t.b, t.c);
   if (!fits(m, format)) return {};
-  return equal({query}, {{query.probe, {t.a, t.b, m}}, {query.probe, {t.a, m, t.c}}});
+  return equal({query}, {{query.probe, Triangle{t.a, t.b, m}}, {query.probe, Triangle{t.a, m, t.c}}});
 }
 
 std::optional<Instance> end_as_segment(const Query& query, Format, Draw& draw) {
   const auto* s = std::get_if<Segment>(&query.probe);
   if (s == nullptr) return {};
   const Point3& end = draw.below(2) == 0 ? s->p : s->q;
-  return implies({{Segment{end, end}, query.triangle}}, {query});
+  return implies({{Segment{end, end}, query.triangle()}}, {query});
 }
 
 std::optional<Instance> edge_as_triangle(const Query& query, Format, Draw& draw) {
-  const Triangle t = turned(query.triangle, draw.below(3));
-  return implies({{query.probe, {t.a, t.b, t.b}}}, {query});
+  const Triangle t = turned(query.triangle(), draw.below(3));
+  return implies({{query.probe, Triangle{t.a, t.b, t.b}}}, {query});
 }
 
 std::optional<Instance> point_as_triangle(const Query& query, Format, Draw& draw) {
   const auto* s = std::get_if<Segment>(&query.probe);
   if (s == nullptr) return {};
-  const Point3 x = turned(query.triangle, draw.below(3)).a;
-  return equal({{*s, {x, x, x}}}, {{Segment{x, x}, {s->p, s->q, s->q}}});
+  const Point3 x = turned(query.triangle(), draw.below(3)).a;
+  return equal({{*s, Triangle{x, x, x}}}, {{Segment{x, x}, Triangle{s->p, s->q, s->q}}});
 }
 
 std::optional<Instance> segment_as_triangle(const Query& query, Format, Draw& draw) {
   const auto* s = std::get_if<Segment>(&query.probe);
   if (s == nullptr) return {};
-  const Triangle t = turned(query.triangle, draw.below(3));
-  return equal({{*s, {t.a, t.b, t.b}}}, {{Segment{t.a, t.b}, {s->p, s->q, s->q}}});
+  const Triangle t = turned(query.triangle(), draw.below(3));
+  return equal({{*s, Triangle{t.a, t.b, t.b}}}, {{Segment{t.a, t.b}, Triangle{s->p, s->q, s->q}}});
 }
 
 std::optional<Instance> hit_has_point(const Query& query, Format, Draw&) {

@@ -1,11 +1,16 @@
 #include "exact/relations/relation.h"
 
+#include <algorithm>
+
+#include "exact/harness/parallel.h"
+#include "exact/harness/progress.h"
+#include "exact/relations/polygon_rows.h"
 #include "exact/relations/rows.h"
 
 namespace tribunal {
 namespace {
 
-constexpr Relation relations[] = {
+constexpr Relation of_triangles[] = {
     {"vertex-order", "the order of the vertices does not matter", keeps_answer<vertex_order>},
     {"reversal", "the direction of the segment does not matter", keeps_answer<reversal>},
     {"axis-map", "the 48 signed axis permutations change nothing", keeps_answer<axis_map>},
@@ -29,18 +34,55 @@ constexpr Relation relations[] = {
     {"plane", "a miss has a plane that separates the operands", miss_has_plane},
 };
 
+constexpr Relation of_polygons[] = {
+    {"start-vertex", "where the rings of a planar polygon start does not matter", keeps_all_if_planar<start_vertex>},
+    {"ring-direction", "nor which way they run", keeps_all_if_planar<ring_direction>},
+    {"ring-order", "nor which of them is the outer one", keeps_all_if_planar<ring_order>},
+    {"repeated-vertex", "a vertex may be repeated", keeps_all<repeated_vertex>},
+    {"flat-vertex", "the exact middle of an edge may be a vertex", keeps_hit_and_plane<flat_vertex>},
+    {"segment-reversal", "the direction of the segment does not matter", keeps_all<reversed_segment>},
+    {"signed-axes", "the 48 signed axis permutations change nothing", keeps_all<signed_axes>},
+    {"powers-of-two", "a power of two on each axis changes nothing", keeps_all<powers_of_two>},
+};
+
+/// Numbers of the random streams that the relations draw from, one each.
+constexpr std::uint32_t first_stream_of(Operands operands) { return operands == Operands::triangles ? 1000 : 200; }
+
+/// A query of a case, and its exact answer where a method's promise depends on it.
+class Asked {
+ public:
+  Asked(const Query& query, Format format) : query_(query), format_(format) {}
+
+  const Query& query() const { return query_; }
+  Format format() const { return format_; }
+
+  bool is_owed_by(const Method& method) {
+    if (!takes(method, format_)) return false;
+    if (promises_all(method, query_.operands())) return true;
+    if (!truth_) truth_ = exact_truth(query_);
+    return promises(method, *truth_);
+  }
+
+ private:
+  const Query& query_;
+  Format format_;
+  std::optional<Truth> truth_{};
+};
+
 void ask(const Method& method, const Instance& instance, std::uint64_t g, RelationCount& count) {
   if (const std::optional<bool> holds = instance.holds(method)) count.add(*holds, g, instance.queries);
 }
 
-void ask_all(const FuzzPlan& plan, const Query& query, Format format, std::uint64_t g,
-             std::vector<RelationCount>& counts) {
-  for (std::size_t r = 0; r < std::size(relations); ++r) {
-    Draw draw(static_cast<std::uint32_t>(1000 + r), plan.seed, g);
-    const std::optional<Instance> instance = relations[r].of(query, format, draw);
+/// The draw of a relation is a function of the case and the relation, so every method sees the same queries.
+void ask_all(const FuzzPlan& plan, Asked asked, std::uint64_t g, std::vector<RelationCount>& counts) {
+  const Operands operands = plan.operands();
+  const std::span<const Relation> relations = relations_of(operands);
+  for (std::size_t r = 0; r < relations.size(); ++r) {
+    Draw draw(static_cast<std::uint32_t>(first_stream_of(operands) + r), plan.seed, g);
+    const std::optional<Instance> instance = relations[r].of(asked.query(), asked.format(), draw);
     if (!instance) continue;
     for (std::size_t m = 0; m < plan.methods.size(); ++m) {
-      if (takes(plan.methods[m], format)) ask(plan.methods[m], *instance, g, counts[m * std::size(relations) + r]);
+      if (asked.is_owed_by(plan.methods[m])) ask(plan.methods[m], *instance, g, counts[m * relations.size() + r]);
     }
   }
 }
@@ -48,26 +90,43 @@ void ask_all(const FuzzPlan& plan, const Query& query, Format format, std::uint6
 /// The ray from p in the direction of q − p, as that rounds: so each relation sees rays of the classes of segments too.
 std::optional<Query> as_ray(const Query& query, Format format) {
   const auto* s = std::get_if<Segment>(&query.probe);
-  if (s == nullptr) return {};
+  if (s == nullptr || query.operands() != Operands::triangles) return {};
   const Point3 d = in_format(s->q - s->p, format);
-  return is_finite(d) ? Query{Ray{s->p, {d}}, query.triangle} : std::optional<Query>{};
+  return is_finite(d) ? Query{Ray{s->p, {d}}, query.target} : std::optional<Query>{};
 }
 
-/// The draw of a relation is a function of the case and the relation, so every method sees the same queries.
 void run_case(const FuzzPlan& plan, std::uint64_t g, std::vector<RelationCount>& counts) {
   const Stream& stream = plan.streams[g % plan.streams.size()];
   const Trial trial = stream.family->make(stream.format, plan.seed, g / plan.streams.size());
-  ask_all(plan, trial.query, stream.format, g, counts);
-  if (const auto ray = as_ray(trial.query, stream.format)) ask_all(plan, *ray, stream.format, g, counts);
+  ask_all(plan, {trial.query, stream.format}, g, counts);
+  if (const auto ray = as_ray(trial.query, stream.format)) ask_all(plan, {*ray, stream.format}, g, counts);
 }
 
 }  // namespace
 
-std::span<const Relation> all_relations() { return relations; }
+std::span<const Relation> relations_of(Operands operands) {
+  if (operands == Operands::triangles) return of_triangles;
+  return of_polygons;
+}
 
 std::vector<RelationCount> check_relations(const FuzzPlan& plan) {
-  return count_relations(plan, std::size(relations),
-                         [&](std::uint64_t g, std::vector<RelationCount>& counts) { run_case(plan, g, counts); });
+  const std::uint64_t block_size = block_size_of(plan.operands()) / 4;
+  std::vector<RelationCount> counts;
+  for (std::size_t m = 0; m < plan.methods.size(); ++m) {
+    for (std::size_t r = 0; r < relations_of(plan.operands()).size(); ++r)
+      counts.push_back({.method = m, .relation = r});
+  }
+  std::vector<std::vector<RelationCount>> workers(plan.threads, counts);
+  Progress progress("relations", "cases", plan.cases);
+  run_blocks((plan.cases + block_size - 1) / block_size, plan.threads, [&](std::size_t block, unsigned w) {
+    const std::uint64_t end = std::min(plan.cases, (block + 1) * block_size);
+    for (std::uint64_t g = block * block_size; g < end; ++g) run_case(plan, g, workers[w]);
+    progress.add(end - block * block_size);
+  });
+  for (const std::vector<RelationCount>& worker : workers) {
+    for (std::size_t i = 0; i < counts.size(); ++i) counts[i] += worker[i];
+  }
+  return counts;
 }
 
 }  // namespace tribunal

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "exact/families/draw.h"
-#include "exact/relations/count.h"
+#include "exact/harness/fuzz.h"
 
 namespace tribunal {
 
@@ -29,13 +29,42 @@ struct Relation {
   std::optional<Instance> (*of)(const Query& query, Format format, Draw& draw);
 };
 
-/// Adding one is adding a row.
-std::span<const Relation> all_relations();
+/// All that speak of queries about these operands. Adding one is adding a row.
+std::span<const Relation> relations_of(Operands operands);
 
-using RelationCount = BasicRelationCount<Query>;
+/// How often a method broke a relation, and the first case that shows it.
+struct RelationCount {
+  std::size_t method = 0, relation = 0;
+  std::uint64_t asked = 0, broken = 0;
+  std::vector<Query> witness{};             ///< the queries of the first instance that broke it
+  std::uint64_t first = ~std::uint64_t{0};  ///< the number of its case
 
-/// Every relation on every case of the plan and on the ray through it (from p in the direction of q − p, as that
-/// rounds), for every method; one entry for each method × relation. Deterministic for any number of threads.
+  /// One instance, of case g.
+  void add(bool holds, std::uint64_t g, const std::vector<Query>& queries) {
+    ++asked;
+    if (holds) return;
+    ++broken;
+    keep(g, queries);
+  }
+
+  RelationCount& operator+=(const RelationCount& other) {
+    asked += other.asked;
+    broken += other.broken;
+    if (other.broken > 0) keep(other.first, other.witness);
+    return *this;
+  }
+
+ private:
+  void keep(std::uint64_t g, const std::vector<Query>& queries) {
+    if (g >= first) return;
+    first = g;
+    witness = queries;
+  }
+};
+
+/// Every relation of the plan's operands on every case of the plan (a segment and a triangle also as the ray through
+/// it, from p in the direction of q − p, as that rounds), for every method that promises an answer to it; one entry for
+/// each method × relation. Deterministic for any number of threads.
 std::vector<RelationCount> check_relations(const FuzzPlan& plan);
 
 }  // namespace tribunal

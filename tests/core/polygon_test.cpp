@@ -20,17 +20,17 @@ const PolygonData dart = PolygonData{}.add(std::vector<Point3>{{0, 0, 0}, {12, 6
 
 /// Prepared and on the fly, which must agree.
 template <class P>
-PolygonAnswer ask(const P& probe, const Polygon& polygon) {
-  const PolygonAnswer prepared = segura_feito(probe, cover(polygon, k), k);
-  EXPECT_EQ(segura_feito(probe, polygon, k), prepared.answer);
+Answer ask(const P& probe, const Polygon& polygon) {
+  const Answer prepared = segura_feito(probe, cover(polygon, k), k);
+  EXPECT_EQ(segura_feito(probe, polygon, k), prepared);
   return prepared;
 }
 
 /// Straight down through (x, y, 0).
 Answer down(double x, double y, const Polygon& polygon) {
-  const PolygonAnswer a = ask(Segment{{x, y, 1}, {x, y, -1}}, polygon);
+  const Answer a = ask(Segment{{x, y, 1}, {x, y, -1}}, polygon);
   EXPECT_TRUE(a.planar);
-  return a.answer;
+  return a;
 }
 
 TEST(PolygonTest, Contacts) {
@@ -50,59 +50,59 @@ TEST(PolygonTest, Contacts) {
 }
 
 TEST(PolygonTest, EndsOfTheProbe) {
-  EXPECT_EQ(ask(Segment{{2, 1, 0}, {2, 1, 5}}, frame).answer, hit_at(Contact::interior, At::source));
-  EXPECT_EQ(ask(Segment{{2, 1, 5}, {2, 1, 0}}, frame).answer, hit_at(Contact::interior, At::target));
-  EXPECT_EQ(ask(Segment{{2, 1, 5}, {2, 1, 1}}, frame).answer, miss());
-  EXPECT_EQ(ask(Ray{{2, 1, 5}, {{0, 0, -1}}}, frame).answer, hit_at(Contact::interior, At::between));
-  EXPECT_EQ(ask(Ray{{2, 1, 5}, {{0, 0, 1}}}, frame).answer, miss());
-  EXPECT_EQ(ask(Ray{{4, 5, 5}, {{0, 0, -1}}}, frame).answer, hit_at(Contact::edge, At::between));
+  EXPECT_EQ(ask(Segment{{2, 1, 0}, {2, 1, 5}}, frame), hit_at(Contact::interior, At::source));
+  EXPECT_EQ(ask(Segment{{2, 1, 5}, {2, 1, 0}}, frame), hit_at(Contact::interior, At::target));
+  EXPECT_EQ(ask(Segment{{2, 1, 5}, {2, 1, 1}}, frame), miss());
+  EXPECT_EQ(ask(Ray{{2, 1, 5}, {{0, 0, -1}}}, frame), hit_at(Contact::interior, At::between));
+  EXPECT_EQ(ask(Ray{{2, 1, 5}, {{0, 0, 1}}}, frame), miss());
+  EXPECT_EQ(ask(Ray{{4, 5, 5}, {{0, 0, -1}}}, frame), hit_at(Contact::edge, At::between));
 }
 
 TEST(PolygonTest, ProbesInThePlane) {
   const Answer hit = hit_at(Contact::coplanar);
-  EXPECT_EQ(ask(Segment{{1, 1, 0}, {2, 1, 0}}, frame).answer, hit) << "inside as a whole";
-  EXPECT_EQ(ask(Segment{{4.5, 5, 0}, {5.5, 5, 0}}, frame).answer, miss()) << "in the hole as a whole";
-  EXPECT_EQ(ask(Segment{{5, 5, 0}, {7, 5, 0}}, frame).answer, hit) << "out of the hole";
-  EXPECT_EQ(ask(Segment{{9, 9, 0}, {12, 9, 0}}, frame).answer, hit) << "from a corner";
-  EXPECT_EQ(ask(Segment{{10, 9, 0}, {12, 9, 0}}, frame).answer, miss());
-  EXPECT_EQ(ask(Segment{{1, 1, 0}, {1, 1, 0}}, frame).answer, hit) << "a point";
-  EXPECT_EQ(ask(Ray{{5, 5, 0}, {{1, 0, 0}}}, frame).answer, hit);
-  EXPECT_EQ(ask(Ray{{-1, 5, 0}, {{-1, 0, 0}}}, frame).answer, miss());
+  EXPECT_EQ(ask(Segment{{1, 1, 0}, {2, 1, 0}}, frame), hit) << "inside as a whole";
+  EXPECT_EQ(ask(Segment{{4.5, 5, 0}, {5.5, 5, 0}}, frame), miss()) << "in the hole as a whole";
+  EXPECT_EQ(ask(Segment{{5, 5, 0}, {7, 5, 0}}, frame), hit) << "out of the hole";
+  EXPECT_EQ(ask(Segment{{9, 9, 0}, {12, 9, 0}}, frame), hit) << "from a corner";
+  EXPECT_EQ(ask(Segment{{10, 9, 0}, {12, 9, 0}}, frame), miss());
+  EXPECT_EQ(ask(Segment{{1, 1, 0}, {1, 1, 0}}, frame), hit) << "a point";
+  EXPECT_EQ(ask(Ray{{5, 5, 0}, {{1, 0, 0}}}, frame), hit);
+  EXPECT_EQ(ask(Ray{{-1, 5, 0}, {{-1, 0, 0}}}, frame), miss());
 }
 
 TEST(PolygonTest, RingsWithoutArea) {
   const auto ring = [](std::vector<Point3> v) { return PolygonData{}.add(v); };
   const PolygonData point = ring({{1, 2, 3}}), line = ring({{0, 0, 0}, {8, 8, 8}, {4, 4, 4}});
-  EXPECT_TRUE(ask(Segment{{1, 2, 0}, {1, 2, 9}}, point).answer.hit);
-  EXPECT_FALSE(ask(Segment{{1, 2, 4}, {1, 2, 9}}, point).answer.hit);
-  EXPECT_EQ(ask(Segment{{6, 6, 0}, {6, 6, 9}}, line).answer, hit_at(Contact::coplanar));
-  EXPECT_FALSE(ask(Segment{{9, 9, 0}, {9, 9, 9}}, line).answer.hit);
+  EXPECT_TRUE(ask(Segment{{1, 2, 0}, {1, 2, 9}}, point).hit);
+  EXPECT_FALSE(ask(Segment{{1, 2, 4}, {1, 2, 9}}, point).hit);
+  EXPECT_EQ(ask(Segment{{6, 6, 0}, {6, 6, 9}}, line), hit_at(Contact::coplanar));
+  EXPECT_FALSE(ask(Segment{{9, 9, 0}, {9, 9, 9}}, line).hit);
   const PolygonData cross = ring({{0, 0, 0}, {4, 0, 0}, {0, 0, 0}, {0, 4, 0}});
   EXPECT_TRUE(cover(cross, k).plane) << "two spikes span a plane";
   EXPECT_TRUE(down(3, 0, cross).hit);
   EXPECT_FALSE(down(1, 1, cross).hit);
-  EXPECT_EQ(ask(Segment{{1, -1, 0}, {1, 1, 0}}, cross).answer, hit_at(Contact::coplanar));
+  EXPECT_EQ(ask(Segment{{1, -1, 0}, {1, 1, 0}}, cross), hit_at(Contact::coplanar));
 }
 
 /// Folded along the spoke from (0,0,0) to (9,9,0), whose height the other corners do not share.
 TEST(PolygonTest, NotPlanar) {
   const PolygonData fold = PolygonData{}.add(std::vector<Point3>{{0, 0, 0}, {9, 0, 3}, {9, 9, 0}, {0, 9, 3}});
-  const PolygonAnswer through = ask(Segment{{6, 3, 9}, {6, 3, -9}}, fold);
+  const Answer through = ask(Segment{{6, 3, 9}, {6, 3, -9}}, fold);
   EXPECT_FALSE(through.planar);
-  EXPECT_EQ(through.answer, hit_at(Contact::interior, At::between));
-  EXPECT_TRUE(ask(Segment{{4, 4, 9}, {4, 4, -9}}, fold).answer.hit) << "through the fold: two halves";
-  EXPECT_FALSE(ask(Segment{{0, 8, 0}, {8, 0, 0}}, fold).answer.hit) << "touches the fold from below: the halves cancel";
-  EXPECT_FALSE(ask(Segment{{0, 8, 1}, {8, 0, 1}}, fold).answer.hit) << "in and out again";
-  EXPECT_EQ(ask(Segment{{9, 0, 3}, {12, 0, 9}}, fold).answer, hit_at(Contact::vertex));
+  EXPECT_EQ(through, hit_at(Contact::interior, At::between));
+  EXPECT_TRUE(ask(Segment{{4, 4, 9}, {4, 4, -9}}, fold).hit) << "through the fold: two halves";
+  EXPECT_FALSE(ask(Segment{{0, 8, 0}, {8, 0, 0}}, fold).hit) << "touches the fold from below: the halves cancel";
+  EXPECT_FALSE(ask(Segment{{0, 8, 1}, {8, 0, 1}}, fold).hit) << "in and out again";
+  EXPECT_EQ(ask(Segment{{9, 0, 3}, {12, 0, 9}}, fold), hit_at(Contact::vertex));
 }
 
 /// Three turns of a stair around the first vertex; the probe starts on the first step and goes up through the others.
 TEST(PolygonTest, SeveralPlacesAreNoOnePlace) {
   const PolygonData stair = PolygonData{}.add(std::vector<Point3>{
       {0, 0, 0}, {4, -4, 2}, {4, 4, 2}, {-8, 0, 0}, {4, -4, 4}, {4, 4, 4}, {-8, 0, 0}, {4, -4, 6}, {4, 4, 6}});
-  EXPECT_EQ(ask(Segment{{2, 0, 1}, {2, 0, 5}}, stair).answer, hit_at(Contact::interior)) << "three steps";
-  EXPECT_EQ(ask(Segment{{2, 0, 1}, {2, 0, 2.5}}, stair).answer, miss()) << "two";
-  EXPECT_EQ(ask(Segment{{2, 0, 1}, {2, 0, 1.5}}, stair).answer, hit_at(Contact::interior, At::source)) << "one";
+  EXPECT_EQ(ask(Segment{{2, 0, 1}, {2, 0, 5}}, stair), hit_at(Contact::interior)) << "three steps";
+  EXPECT_EQ(ask(Segment{{2, 0, 1}, {2, 0, 2.5}}, stair), miss()) << "two";
+  EXPECT_EQ(ask(Segment{{2, 0, 1}, {2, 0, 1.5}}, stair), hit_at(Contact::interior, At::source)) << "one";
 }
 
 TEST(Covering, KnowsThePolygon) {
@@ -122,18 +122,16 @@ TEST(Covering, KnowsThePolygon) {
 
 TEST(PolygonRivals, AnswerAwayFromTheBoundary) {
   for (const Method& m : {haines_float(), haines_double(), feito_float(), feito_double()}) {
-    const auto hit = [&](double x, double y) {
-      return m.ask(PolygonQuery{Segment{{x, y, 1}, {x, y, -1}}, frame}).answer.hit;
-    };
+    const auto hit = [&](double x, double y) { return m.ask(Query{Segment{{x, y, 1}, {x, y, -1}}, frame}).hit; };
     EXPECT_TRUE(hit(2, 1)) << m.name;
     EXPECT_TRUE(hit(2, 2)) << m.name;
     EXPECT_FALSE(hit(5, 5)) << m.name;
     EXPECT_FALSE(hit(10, 1)) << m.name;
-    EXPECT_FALSE(m.ask(PolygonQuery{Segment{{1, 1, 0}, {2, 1, 0}}, frame}).answer.hit) << "in the plane: " << m.name;
-    EXPECT_TRUE(m.ask(PolygonQuery{Ray{{1, 1, 5}, {{0, 0, -1}}}, frame}).answer.hit) << m.name;
+    EXPECT_FALSE(m.ask(Query{Segment{{1, 1, 0}, {2, 1, 0}}, frame}).hit) << "in the plane: " << m.name;
+    EXPECT_TRUE(m.ask(Query{Ray{{1, 1, 5}, {{0, 0, -1}}}, frame}).hit) << m.name;
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_EQ(m.ask(PolygonQuery{Segment{{nan, 1, 0}, {2, 1, 0}}, frame}).answer.status, Status::nonfinite) << m.name;
-    EXPECT_EQ(m.ask(PolygonQuery{}).answer.status, Status::unsupported) << "no vertex: " << m.name;
+    EXPECT_EQ(m.ask(Query{Segment{{nan, 1, 0}, {2, 1, 0}}, frame}).status, Status::nonfinite) << m.name;
+    EXPECT_EQ(m.ask(Query{}).status, Status::unsupported) << "no vertex: " << m.name;
   }
 }
 

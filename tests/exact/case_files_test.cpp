@@ -3,7 +3,6 @@
 
 #include "exact/io/case_io.h"
 #include "exact/io/files.h"
-#include "exact/io/polygon_case_io.h"
 #include "exact/methods.h"
 
 namespace tribunal {
@@ -19,16 +18,16 @@ constexpr FileOfCases files[] = {{"data/cases/published-reports.jsonl", 569},
                                  {"data/cases/ray-scales.jsonl", 5}};
 
 bool hit_of(const Answer& a) { return a.hit; }
-bool hit_of(const PolygonAnswer& a) { return a.answer.hit; }
+bool hit_of(const Answer& a) { return a.hit; }
 Status status_of(const Answer& a) { return a.status; }
-Status status_of(const PolygonAnswer& a) { return a.answer.status; }
+Status status_of(const Answer& a) { return a.status; }
 
 TEST(CaseFiles, AreAnsweredAsTheySayByEveryExactMethod) {
   for (const FileOfCases& file : files) {
-    const std::vector<AnyCase> cases = read_any_cases(file.path);
+    const std::vector<Case> cases = read_cases(file.path);
     EXPECT_EQ(cases.size(), file.cases) << file.path;
     std::size_t judged = 0;
-    for (const AnyCase& any : cases) {
+    for (const Case& any : cases) {
       std::visit(
           [&](const auto& c) {
             ASSERT_TRUE(c.expect.has_value()) << file.path << " " << c.id;

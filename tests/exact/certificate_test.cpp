@@ -31,7 +31,7 @@ class CertificateTest : public testing::Test {
   void TearDown() override { std::filesystem::remove_all(directory_); }
 
   template <class On = OnTriangles>
-  Certificate write(const BasicCertifyPlan<On>& plan) {
+  Certificate write(const CertifyPlan& plan) {
     ChainedLog log = certify(plan);
     return write_certificate(directory_, log);
   }
@@ -325,7 +325,8 @@ TEST_F(CertificateTest, OfPolygonsSpeaksOfConstructionsAndOutcomes) {
       if (group.name.ends_with("by rays")) continue;
       EXPECT_EQ(c.coverage.judged(format, group), static_cast<int>(group.size)) << group.name;
     }
-    EXPECT_EQ(c.coverage.total(format, Operands::polygons).asked, all_polygon_families().size() * cases_of_tiny);
+    EXPECT_EQ(c.coverage.total(format, Operands::polygons).asked,
+              families_of(Operands::polygons).size() * cases_of_tiny);
   }
   for (const Gap& gap : c.gaps) EXPECT_TRUE(gap.explained) << gap.what << ": " << gap.reason;
   const Verification v = verify(directory_);
@@ -339,7 +340,7 @@ TEST_F(CertificateTest, OfPolygonsRefutesTheClassicalWayWithinItsContract) {
   EXPECT_EQ(c.proved[1].count.wrong, 0U) << "small integers";
   EXPECT_GT(c.proved[1].count.unsupported, 0U) << "the boundary";
   for (const Stratum& s : c.strata) {
-    if (s.slot != slot_of(PolygonTruth{Contact::edge, true})) continue;
+    if (s.slot != slot_of(Truth{Contact::edge, true})) continue;
     EXPECT_EQ(s.count.judged(), 0U) << "the boundary is outside its contract";
   }
   ASSERT_FALSE(c.counterexamples.empty());
@@ -350,13 +351,13 @@ TEST_F(CertificateTest, OfPolygonsRefutesTheClassicalWayWithinItsContract) {
 
 /// Planted: a polygon test that takes every hole edge for a miss, in the small scope and among the constructions.
 TEST_F(CertificateTest, OfPolygonsFindsAPlantedBug) {
-  PolygonCertifyPlan plan{.method = method("sf-rational"), .budget = {"tiny", 0, false, 3}, .threads = 2};
+  CertifyPlan plan{.method = method("sf-rational"), .budget = {"tiny", 0, false, 3}, .threads = 2};
   plan.method.name = "planted";
   plan.method.polygon = [](const Polygon& polygon) -> PreparedPolygon {
     const PreparedPolygon right = method("sf-rational").polygon(polygon);
     const auto segment = [right, many = polygon.rings() > 1](const Segment& s) {
-      PolygonAnswer answer = right.segment(s);
-      if (many && answer.answer.contact == Contact::edge) answer.answer.hit = false;
+      Answer answer = right.segment(s);
+      if (many && answer.contact == Contact::edge) answer.hit = false;
       return answer;
     };
     return {.segment = segment, .ray = right.ray};

@@ -5,7 +5,7 @@
 #include <gmpxx.h>
 #include <mpfr.h>
 
-#include "core/query.h"
+#include "core/operands.h"
 
 namespace tribunal::testing {
 

@@ -6,7 +6,7 @@
 #include <set>
 #include <vector>
 
-#include "exact/families/query_vectors.h"
+#include "exact/families/pair_vectors.h"
 #include "exact/families/shapes.h"
 #include "exact/harness/fuzz.h"
 #include "exact/methods.h"
@@ -38,10 +38,10 @@ std::vector<double> numbers_of(std::span<Point3* const> vectors) {
 /// Chance repeats remain where a class leaves few numbers to draw: all five points in one, say.
 TEST(FamilyDraws, NoFamilyRepeatsItselfOrSharesADrawAmongCases) {
   constexpr std::size_t n = 4'800;
-  for (const Stream& s : all_streams()) {
+  for (const Stream& s : streams_of(Operands::triangles)) {
     std::set<std::vector<double>> cases, probes, triangles;
     for (Trial& trial : trials_of(*s.family, s.format, n)) {
-      const QueryVectors q = vectors_of(trial.query);
+      const PairVectors q = vectors_of(trial.query);
       const std::span<Point3* const> all = q.v;
       cases.insert(numbers_of(all));
       triangles.insert(numbers_of(all.first(3)));
@@ -55,7 +55,7 @@ TEST(FamilyDraws, NoFamilyRepeatsItselfOrSharesADrawAmongCases) {
 
 /// Both kinds of probe, at every level, and both answers of each.
 TEST(FamilyDraws, EveryFamilyAsksSegmentsAndRaysAtEveryLevel) {
-  for (const Stream& s : all_streams()) {
+  for (const Stream& s : streams_of(Operands::triangles)) {
     const std::size_t levels = s.family->levels(s.format).size();
     std::vector<int> asked[2] = {std::vector<int>(levels), std::vector<int>(levels)};
     int hits[2] = {}, all[2] = {};
@@ -81,7 +81,7 @@ TEST(FamilyReach, DirectionsHaveEverySizeAndNone) {
     const int step = format == Format::binary32 ? 8 : 64;
     std::set<int> sizes;
     int nowhere = 0;
-    for (const Family& family : all_families()) {
+    for (const Family& family : families_of(Operands::triangles)) {
       for (const Trial& trial : trials_of(family, format, 3'000)) {
         const Ray* const ray = ray_of(trial);
         if (ray == nullptr) continue;
@@ -104,7 +104,7 @@ double difference_in(Format format, double x, double y) {
 }
 
 int overflowing_axes(Trial trial) {
-  const QueryVectors q = vectors_of(trial.query);
+  const PairVectors q = vectors_of(trial.query);
   int axes = 0;
   for (int axis = 0; axis < 3; ++axis) {
     bool overflows = false;
@@ -132,7 +132,7 @@ TEST(FamilyReach, DifferencesOverflowOnOneTwoAndThreeAxes) {
 /// Largest over least number on an axis, in binades.
 int spread_of(Trial trial) {
   int spread = 0;
-  const QueryVectors q = vectors_of(trial.query);
+  const PairVectors q = vectors_of(trial.query);
   for (int axis = 0; axis < 3; ++axis) {
     int lo = 2000, hi = -2000;
     for (std::size_t i = 0; i < static_cast<std::size_t>(q.points); ++i) {
@@ -192,7 +192,7 @@ TEST(FamilyReach, ProbesAreFarLongerAndShorterThanTheTriangleAndMeetIt) {
     for (const Trial& trial : trials_of(*find_family("distance"), format, 4'000)) {
       const auto* s = std::get_if<Segment>(&trial.query.probe);
       if (s == nullptr || !answer_to(trial).hit) continue;
-      const Triangle& t = trial.query.triangle;
+      const Triangle& t = trial.query.triangle();
       const int over_size = exponent_of(s->q - s->p) - exponent_of(t.b - t.a);
       longer += over_size > far;
       shorter += over_size < -far;
@@ -210,14 +210,14 @@ int exponent_of_t(const Ray& r, const Triangle& t) {
 
 TEST(FamilyReach, RaysStartOnTheTriangleAndHitFarOut) {
   int on_triangle = 0, far_out = 0;
-  for (const Family& family : all_families()) {
+  for (const Family& family : families_of(Operands::triangles)) {
     for (const Trial& trial : trials_of(family, Format::binary64, 3'000)) {
       const Ray* const ray = ray_of(trial);
       if (ray == nullptr) continue;
       const Answer answer = answer_to(trial);
       on_triangle += answer.hit && answer.at == At::source;
-      const bool apart = ray->d.v != Point3(0) && ray->o != trial.query.triangle.a;
-      far_out += answer.hit && apart && exponent_of_t(*ray, trial.query.triangle) > 500;
+      const bool apart = ray->d.v != Point3(0) && ray->o != trial.query.triangle().a;
+      far_out += answer.hit && apart && exponent_of_t(*ray, trial.query.triangle()) > 500;
     }
   }
   EXPECT_GT(on_triangle, 300);

@@ -59,7 +59,7 @@ Point3 draw_any(Draw& draw) {
 const Corpus& corpus() {
   static const Corpus made = [] {
     Corpus c;
-    for (const Family& family : all_families()) {
+    for (const Family& family : families_of(Operands::triangles)) {
       for (const Format format : {Format::binary32, Format::binary64}) {
         for (std::uint64_t k = 0; k < 500; ++k) {
           const Query q = family.make(format, 14, k).query;

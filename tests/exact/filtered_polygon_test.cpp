@@ -9,8 +9,8 @@
 #include <memory>
 
 #include "exact/families/draw.h"
+#include "exact/families/family.h"
 #include "exact/kernels/rational_kernel.h"
-#include "exact/polygon/family.h"
 #include "exact/polygon/small_scope.h"
 
 namespace tribunal {
@@ -20,22 +20,22 @@ template <class P>
 void compare(const P& probe, const Polygon& polygon, std::map<Stage, int>& stages) {
   const FilteredPolygon filtered(polygon);
   const RationalKernel k;
-  PolygonAnswer answer = filtered.meet(probe);
-  ++stages[answer.answer.stage];
+  Answer answer = filtered.meet(probe);
+  ++stages[answer.stage];
   if (const std::optional<bool> certain = filtered.filter_hits(probe)) {
-    EXPECT_EQ(*certain, answer.answer.hit);
+    EXPECT_EQ(*certain, answer.hit);
   }
-  answer.answer.stage = Stage::none;
+  answer.stage = Stage::none;
   EXPECT_EQ(answer, segura_feito(probe, cover(polygon, k), k));
 }
 
 TEST(FilteredPolygon, IsTheCoveringTestOnExactNumbers) {
   std::map<Stage, int> stages;
-  for (const PolygonFamily& family : all_polygon_families()) {
+  for (const Family& family : families_of(Operands::polygons)) {
     for (const Format format : {Format::binary64, Format::binary32}) {
       for (std::uint64_t k = 0; k < 1'500; ++k) {
-        const PolygonTrial trial = family.make(format, 13, k);
-        std::visit([&](const auto& probe) { compare(probe, trial.query.polygon, stages); }, trial.query.probe);
+        const Trial trial = family.make(format, 13, k);
+        std::visit([&](const auto& probe) { compare(probe, trial.query.polygon(), stages); }, trial.query.probe);
       }
     }
   }
@@ -78,7 +78,7 @@ TEST(FilteredPolygon, NonfiniteProbesMeetNothing) {
       EXPECT_EQ(filtered.filter_hits(Ray{s.p, {s.q}}), std::nullopt);
       EXPECT_FALSE(filtered.hits(s));
       EXPECT_FALSE(filtered.hits(Ray{s.q, {s.p}}));
-      EXPECT_EQ(filtered.meet(s).answer.status, Status::nonfinite);
+      EXPECT_EQ(filtered.meet(s).status, Status::nonfinite);
     }
   }
 }
@@ -126,17 +126,17 @@ class ForeignPolygonEnvironment : public testing::TestWithParam<unsigned> {
 TEST_P(ForeignPolygonEnvironment, ChangesNoAnswer) {
   std::map<Stage, int> stages;
   const RationalKernel k;
-  for (const PolygonFamily& family : all_polygon_families()) {
+  for (const Family& family : families_of(Operands::polygons)) {
     for (std::uint64_t i = 0; i < 300; ++i) {
-      const PolygonQuery query = family.make(Format::binary64, 17, i).query;
+      const Query query = family.make(Format::binary64, 17, i).query;
       std::visit(
           [&](const auto& probe) {
-            const PolygonAnswer expected = segura_feito(probe, cover(Polygon(query.polygon), k), k);
+            const Answer expected = segura_feito(probe, cover(Polygon(query.polygon()), k), k);
             enter(GetParam());
-            PolygonAnswer answer = FilteredPolygon(query.polygon).meet(probe);
+            Answer answer = FilteredPolygon(query.polygon()).meet(probe);
             enter(0);
-            ++stages[answer.answer.stage];
-            answer.answer.stage = Stage::none;
+            ++stages[answer.stage];
+            answer.stage = Stage::none;
             ASSERT_EQ(answer, expected) << family.name << i;
           },
           query.probe);
@@ -158,18 +158,18 @@ Point3 nearly(const Point3& p, double size, Draw& draw) {
 TEST(FilteredPolygon, TellsOfShortSegmentsThroughThePlane) {
   const RationalKernel exact;
   std::size_t told = 0, crossing = 0;
-  for (const PolygonFamily& family : all_polygon_families()) {
+  for (const Family& family : families_of(Operands::polygons)) {
     for (std::uint64_t k = 0; k < 1'500; ++k) {
       Draw draw(911, 41, k);
-      const PolygonTrial trial = family.make(Format::binary64, 43, k);
-      const std::vector<Point3>& v = trial.query.polygon.vertices;
-      const FilteredPolygon filtered(trial.query.polygon);
+      const Trial trial = family.make(Format::binary64, 43, k);
+      const std::vector<Point3>& v = trial.query.polygon().vertices;
+      const FilteredPolygon filtered(trial.query.polygon());
       const auto any = [&] { return v[draw.below(v.size())]; };
       const auto share = [&] { return std::ldexp(static_cast<double>(draw.next() >> 11), -53); };
       const Point3 a = any(), at = a + share() * (any() - a) + share() * (any() - a);
       const double size = 0x1p-48 * (std::fabs(at.x) + std::fabs(at.y) + std::fabs(at.z));
       const Segment s{nearly(at, size, draw), nearly(at, size, draw)};
-      const auto covering = cover(trial.query.polygon, exact);
+      const auto covering = cover(trial.query.polygon(), exact);
       if (!is_finite(s) || !covering.plane) continue;
       const Triangle& t = covering.plane->triangle;
       const Sign from = exact.orient3d(t.a, t.b, t.c, s.p), to = exact.orient3d(t.a, t.b, t.c, s.q);
@@ -178,7 +178,7 @@ TEST(FilteredPolygon, TellsOfShortSegmentsThroughThePlane) {
       const auto certain = filtered.filter_between(s);
       told += certain.has_value();
       if (certain) {
-        ASSERT_EQ(*certain, segura_feito(s, covering, exact).answer.hit) << family.name << " " << k;
+        ASSERT_EQ(*certain, segura_feito(s, covering, exact).hit) << family.name << " " << k;
       }
     }
   }

@@ -6,7 +6,7 @@
 
 #include "exact/certificate/bounds.h"
 #include "exact/classes/class_table.h"
-#include "exact/families/query_vectors.h"
+#include "exact/families/pair_vectors.h"
 #include "exact/families/table.h"
 #include "exact/families/ulp.h"
 #include "exact/harness/counterexample.h"
@@ -38,13 +38,13 @@ TEST(Format, RoundsThreeNeighbours) {
 }
 
 TEST(Families, EveryCaseFitsItsFormatAndIsAFunctionOfItsNumber) {
-  for (const Stream& s : all_streams()) {
+  for (const Stream& s : streams_of(Operands::triangles)) {
     for (std::uint64_t k = 0; k < 2000; ++k) {
       const Trial trial = s.family->make(s.format, 7, k);
       ASSERT_TRUE(fits(trial)) << s.family->name << " " << k;
       ASSERT_LT(trial.level, s.family->levels(s.format).size());
       const Trial again = s.family->make(s.format, 7, k);
-      ASSERT_EQ(trial.query.triangle.b, again.query.triangle.b);
+      ASSERT_EQ(trial.query.triangle().b, again.query.triangle().b);
     }
   }
 }
@@ -52,25 +52,25 @@ TEST(Families, EveryCaseFitsItsFormatAndIsAFunctionOfItsNumber) {
 /// A construction that says a class is right, by all oracles, and draws all of them at every level.
 TEST(Families, ConstructionsProveTheirClass) {
   int proving = 0;
-  for (const Stream& s : all_streams()) {
+  for (const Stream& s : streams_of(Operands::triangles)) {
     std::set<ClassId> seen;
     const std::size_t levels = s.family->levels(s.format).size();
     for (std::uint64_t k = 0; k < all_class_count * levels; ++k) {
       const Trial trial = s.family->make(s.format, 3, k);
-      ASSERT_EQ(trial.class_id != 0, s.family->proves_class) << name_of(s);
+      ASSERT_EQ(trial.class_id != 0, s.family->constructs) << name_of(s);
       if (trial.class_id == 0) continue;
       ASSERT_EQ(exact_truth(trial.query).class_id, trial.class_id) << name_of(s) << " case " << k;
       seen.insert(trial.class_id);
     }
-    EXPECT_EQ(seen.size(), s.family->proves_class ? 328U : 0U) << name_of(s);
-    proving += s.family->proves_class;
+    EXPECT_EQ(seen.size(), s.family->constructs ? 328U : 0U) << name_of(s);
+    proving += s.family->constructs;
   }
   EXPECT_EQ(proving, 14);
 }
 
 /// Every family makes some naive method fail, or it has no place here.
 TEST(Families, EachHasTeeth) {
-  for (const Family& family : all_families()) {
+  for (const Family& family : families_of(Operands::triangles)) {
     FuzzPlan plan;
     plan.methods = {method("sf-float"), method("sf-double"), method("mt-double")};
     plan.streams = {{&family, Format::binary64}, {&family, Format::binary32}};
@@ -90,7 +90,7 @@ TEST(Families, NoExactMethodIsWrongOnAny) {
   FuzzPlan plan;
   plan.methods = {method("sf-rational"), method("sf-epick"), method("sf-epeck"), method("cgal-epick"),
                   method("cgal-epeck")};
-  plan.streams = all_streams();
+  plan.streams = streams_of(Operands::triangles);
   plan.cases = plan.streams.size() * 600;
   plan.threads = 2;
   EXPECT_TRUE(fuzz(plan).findings.empty());
@@ -122,7 +122,7 @@ TEST(Families, MovesByUlpsCrossZeroAndBinades) {
 FuzzPlan small_plan(std::vector<Method> methods, std::uint64_t cases) {
   FuzzPlan plan;
   plan.methods = std::move(methods);
-  for (const Stream& s : all_streams()) {
+  for (const Stream& s : streams_of(Operands::triangles)) {
     if (s.family->name == "affine" || s.family->name == "ulp") plan.streams.push_back(s);
   }
   plan.cases = cases;

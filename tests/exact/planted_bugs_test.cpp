@@ -7,9 +7,9 @@
 #include <set>
 
 #include "exact/harness/fp_environment.h"
+#include "exact/harness/fuzz.h"
 #include "exact/io/failure.h"
 #include "exact/methods.h"
-#include "exact/polygon/fuzz.h"
 #include "tests/planted/bugs.h"
 
 namespace tribunal {
@@ -21,10 +21,9 @@ std::uint64_t seed() {
 }
 
 /// The bug first, and beside it methods without one.
-template <class On>
-BasicFuzzPlan<On> plan_for(const Method& bug, std::uint64_t cases, const std::vector<Method>& sound,
-                           std::vector<BasicStream<On>> streams) {
-  BasicFuzzPlan<On> plan;
+FuzzPlan plan_for(const Method& bug, std::uint64_t cases, const std::vector<Method>& sound,
+                  std::vector<Stream> streams) {
+  FuzzPlan plan;
   plan.methods = {bug, *find_method("sf-epick"), *find_method("sf-rational")};
   for (const Method& m : sound) plan.methods.push_back(m);
   plan.streams = std::move(streams);
@@ -36,11 +35,11 @@ BasicFuzzPlan<On> plan_for(const Method& bug, std::uint64_t cases, const std::ve
 }
 
 FuzzPlan plan_for(const Method& bug, std::uint64_t cases) {
-  return plan_for<OnTriangles>(bug, cases, planted::sound_twins(), all_streams());
+  return plan_for<OnTriangles>(bug, cases, planted::sound_twins(), streams_of(Operands::triangles));
 }
 
-PolygonFuzzPlan polygon_plan_for(const Method& bug, std::uint64_t cases) {
-  return plan_for<OnPolygons>(bug, cases, {planted::sound_polygon()}, all_polygon_streams());
+FuzzPlan polygon_plan_for(const Method& bug, std::uint64_t cases) {
+  return plan_for<OnPolygons>(bug, cases, {planted::sound_polygon()}, streams_of(Operands::polygons));
 }
 
 struct Hunt {
@@ -49,8 +48,7 @@ struct Hunt {
   std::set<std::string> blamed;
 };
 
-template <class On>
-Hunt result_of(const BasicFuzzPlan<On>& plan, const BasicFuzzReport<On>& report) {
+Hunt result_of(const FuzzPlan& plan, const FuzzReport& report) {
   Hunt hunt;
   for (const auto& f : report.findings) {
     const std::uint64_t g = f.k * plan.streams.size() + f.stream + 1;

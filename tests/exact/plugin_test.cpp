@@ -46,7 +46,7 @@ tribunal_plugin sound_plugin() {
 /// Segments of every family, every third as a ray.
 std::vector<Query> some_queries(std::uint64_t each) {
   std::vector<Query> queries;
-  for (const Family& family : all_families()) {
+  for (const Family& family : families_of(Operands::triangles)) {
     for (std::uint64_t k = 0; k < each; ++k) {
       Query query = family.make(Format::binary64, 5, k).query;
       const Segment* s = std::get_if<Segment>(&query.probe);
@@ -114,7 +114,7 @@ TEST(Plugin, Binary32SeesItsOwnFormatAndNoInfinity) {
   Query query = through;
   std::get<Segment>(query.probe).p.x = 0.1;
   EXPECT_TRUE(method.ask(query).hit);
-  query.triangle.c.y = 0x1p+1000;
+  query.triangle().c.y = 0x1p+1000;
   EXPECT_EQ(method.ask(query).status, Status::unsupported);
 }
 
@@ -122,7 +122,7 @@ TEST(Plugin, NonFiniteOperandsNeverReachIt) {
   const Method method = plugin_method(sound_plugin(), "x.so");
   for (const double x : {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
     Query query = through;
-    query.triangle.b.z = x;
+    query.triangle().b.z = x;
     EXPECT_EQ(method.ask(query).status, Status::nonfinite);
     query = through;
     std::get<Segment>(query.probe).q.x = x;

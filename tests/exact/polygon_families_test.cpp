@@ -13,8 +13,8 @@ namespace {
 
 constexpr Format formats[] = {Format::binary64, Format::binary32};
 
-bool is_exact_in(const PolygonTrial& trial) {
-  for (const Point3& v : trial.query.polygon.vertices) {
+bool is_exact_in(const Trial& trial) {
+  for (const Point3& v : trial.query.polygon().vertices) {
     if (!is_exact_in(v, trial.format)) return false;
   }
   if (const auto* s = std::get_if<Segment>(&trial.query.probe)) {
@@ -31,15 +31,15 @@ TEST(PolygonFamilies, ExactMethodsAreRight) {
     if (m.exact && m.polygon) exact.push_back(&m);
   }
   ASSERT_GE(exact.size(), 3U);
-  for (const PolygonFamily& family : all_polygon_families()) {
+  for (const Family& family : families_of(Operands::polygons)) {
     std::map<Contact, int> contacts;
     std::map<bool, int> planar;
     for (const Format format : formats) {
       for (std::uint64_t k = 0; k < 1'200; ++k) {
-        const PolygonTrial trial = family.make(format, 7, k);
+        const Trial trial = family.make(format, 7, k);
         ASSERT_TRUE(is_exact_in(trial)) << family.name << " " << k;
         ASSERT_LT(trial.level, family.levels(format).size());
-        const PolygonTruth truth = truth_of(trial);
+        const Truth truth = truth_of(trial);
         ++contacts[truth.contact];
         ++planar[truth.planar];
         for (const Method* m : exact) {
@@ -61,9 +61,9 @@ TEST(PolygonFamilies, AllKindsAreReached) {
   std::set<std::size_t> shapes;
   std::set<std::pair<PolygonPlace, Approach>> places;
   std::set<std::pair<std::size_t, PolygonPlace>> pairs;
-  const PolygonFamily& family = *find_polygon_family("polygon-affine");
+  const Family& family = *find_family("polygon-affine");
   for (std::uint64_t k = 0; k < shape_count * place_count * 6U; ++k) {
-    const PolygonTrial trial = family.make(Format::binary64, 1, k);
+    const Trial trial = family.make(Format::binary64, 1, k);
     ASSERT_TRUE(trial.known);
     shapes.insert(trial.known->shape);
     places.insert({trial.known->place, trial.known->approach});
@@ -77,11 +77,11 @@ TEST(PolygonFamilies, AllKindsAreReached) {
 /// Within three rounds of levels every construction comes up at every level: none is tried at easy levels only.
 TEST(PolygonFamilies, EveryConstructionMeetsEveryLevel) {
   for (const char* name : {"polygon-affine", "polygon-scale"}) {
-    const PolygonFamily& family = *find_polygon_family(name);
+    const Family& family = *find_family(name);
     const std::size_t levels = family.levels(Format::binary32).size();
     std::set<std::pair<Slot, std::size_t>> met;
     for (std::uint64_t k = 0; k < approach_count * levels * shape_count * place_count; ++k) {
-      const PolygonTrial trial = family.make(Format::binary32, 1, k);
+      const Trial trial = family.make(Format::binary32, 1, k);
       met.insert({slot_of(*trial.known, false), trial.level});
     }
     EXPECT_EQ(met.size(), all_constructions().size() * levels) << name;
@@ -101,9 +101,9 @@ TEST(PolygonFamilies, NaiveMethodsAreWrongSomewhere) {
   for (const char* name : {"sf-double", "haines-double", "feito-double", "sf-float", "haines-float", "feito-float"}) {
     const Method& m = *find_method(name);
     Count count;
-    for (const PolygonFamily& family : all_polygon_families()) {
+    for (const Family& family : families_of(Operands::polygons)) {
       for (std::uint64_t k = 0; k < 1'000; ++k) {
-        const PolygonTrial trial = family.make(m.format, 3, k);
+        const Trial trial = family.make(m.format, 3, k);
         count.add(judge(m, truth_of(trial), m.ask(trial.query)), Stage::none);
       }
     }

@@ -16,16 +16,16 @@
 namespace tribunal {
 namespace {
 
-PolygonFuzzPlan plan_for(const std::vector<std::string>& names, std::uint64_t cases) {
-  PolygonFuzzPlan plan;
+FuzzPlan plan_for(const std::vector<std::string>& names, std::uint64_t cases) {
+  FuzzPlan plan;
   for (const std::string& name : names) plan.methods.push_back(*find_method(name));
-  plan.streams = all_polygon_streams();
+  plan.streams = streams_of(Operands::polygons);
   plan.cases = cases;
   return plan;
 }
 
 TEST(PolygonRelations, HoldForExactMethods) {
-  const PolygonFuzzPlan plan = plan_for({"sf-rational", "sf-epick"}, 2'800);
+  const FuzzPlan plan = plan_for({"sf-rational", "sf-epick"}, 2'800);
   for (const PolygonRelationCount& c : check_relations(plan)) {
     const std::string where = plan.methods[c.method].name + " " + std::string(all_polygon_relations()[c.relation].name);
     EXPECT_EQ(c.broken, 0U) << where;
@@ -43,7 +43,7 @@ TEST(PolygonRelations, AreBrokenByNaiveArithmetic) {
 }
 
 TEST(PolygonRelations, ThreadsDoNotShow) {
-  PolygonFuzzPlan plan = plan_for({"sf-float", "haines-double"}, 1'400);
+  FuzzPlan plan = plan_for({"sf-float", "haines-double"}, 1'400);
   const auto one = check_relations(plan);
   plan.threads = 3;
   const auto three = check_relations(plan);
@@ -85,7 +85,7 @@ TEST(PolygonJudge, TheBoundaryIsMetInThePlaneToo) {
                       {{{1, 1, 1}, {1, 1, -1}}, &square, Contact::interior, false},
                       {{{10, 1, 0}, {12, 1, 0}}, &square, Contact::none, false}};
   for (const Row& row : rows) {
-    const PolygonTruth truth = exact_truth(PolygonQuery{row.segment, *row.polygon});
+    const Truth truth = exact_truth(Query{row.segment, *row.polygon});
     EXPECT_EQ(truth.contact, row.contact);
     EXPECT_EQ(truth.boundary, row.boundary);
     for (const Convention convention : {Convention::closed, Convention::transversal}) {
@@ -110,7 +110,7 @@ TEST(PolygonRelations, ATriangleAsPolygonIsTheTriangle) {
   for (std::uint64_t i = 0; i < 3'000; ++i) {
     const Family& family = *find_family(i % 2 == 0 ? "affine" : "ulp");
     const Query query = family.make(Format::binary64, 5, i).query;
-    const Triangle& t = query.triangle;
+    const Triangle& t = query.triangle();
     std::visit(
         [&](const auto& probe) {
           const Answer expected = segura_feito(probe, t, k);
@@ -118,9 +118,9 @@ TEST(PolygonRelations, ATriangleAsPolygonIsTheTriangle) {
           for (const std::vector<Point3>& ring :
                {std::vector<Point3>{t.a, t.b, t.c}, {t.a, t.b, t.c, t.c}, {t.b, t.b, t.c, t.a}, {t.c, t.a, t.b, t.c}}) {
             const PolygonData polygon = PolygonData{}.add(ring);
-            const PolygonAnswer prepared = segura_feito(probe, cover(polygon, k), k);
+            const Answer prepared = segura_feito(probe, cover(polygon, k), k);
             EXPECT_TRUE(prepared.planar);
-            EXPECT_EQ(prepared.answer, expected) << "prepared, case " << i;
+            EXPECT_EQ(prepared, expected) << "prepared, case " << i;
             EXPECT_EQ(segura_feito(probe, Polygon(polygon), k), expected) << "on the fly, case " << i;
           }
         },
@@ -144,8 +144,8 @@ const Triangulation triangulations[] = {
     {"hole", {{0, 1, 4}, {1, 5, 4}, {1, 2, 5}, {5, 2, 6}, {2, 3, 6}, {3, 4, 6}, {3, 0, 4}}},
 };
 
-bool any_triangle(const Method& m, const PolygonQuery& query, const Triangulation& t) {
-  const auto& v = query.polygon.vertices;
+bool any_triangle(const Method& m, const Query& query, const Triangulation& t) {
+  const auto& v = query.polygon().vertices;
   return std::any_of(t.triangles.begin(), t.triangles.end(), [&](const auto& i) {
     return m.ask(Query{query.probe, {v[i[0]], v[i[1]], v[i[2]]}}).hit;
   });
@@ -160,8 +160,8 @@ TEST(PolygonRelations, ATriangulationOrEdIsThePolygon) {
       const auto* t = std::find_if(std::begin(triangulations), std::end(triangulations),
                                    [&](const Triangulation& row) { return row.shape == shape; });
       if (t == std::end(triangulations)) continue;
-      const PolygonQuery query = find_polygon_family(name)->make(Format::binary64, 11, k).query;
-      const bool hit = m.ask(query).answer.hit;
+      const Query query = find_family(name)->make(Format::binary64, 11, k).query;
+      const bool hit = m.ask(query).hit;
       EXPECT_EQ(hit, any_triangle(m, query, *t)) << name << " " << k << " " << shape;
       ++asked;
       hits += hit;
@@ -172,10 +172,10 @@ TEST(PolygonRelations, ATriangulationOrEdIsThePolygon) {
 }
 
 TEST(PolygonFuzz, FindsNothingOnExactMethodsAndReachesAllConstructions) {
-  PolygonFuzzPlan plan = plan_for({"sf-epick", "sf-epeck"}, 0);
-  plan.streams = {{find_polygon_family("polygon-affine"), Format::binary64}};
+  FuzzPlan plan = plan_for({"sf-epick", "sf-epeck"}, 0);
+  plan.streams = {{find_family("polygon-affine"), Format::binary64}};
   plan.cases = 3 * shape_count * place_count;
-  const PolygonFuzzReport report = fuzz(plan);
+  const FuzzReport report = fuzz(plan);
   EXPECT_TRUE(report.findings.empty());
   Coverage coverage;
   report.counts.for_each([&](const Cell& c, const Count& count) { coverage.add(Format::binary64, c.slot, count); });
@@ -202,15 +202,15 @@ TEST(PolygonSlots, HaveNames) {
   }
   EXPECT_EQ(names.size(), all.end - 1U);
   for (std::size_t i = 0; i < all_constructions().size(); ++i) EXPECT_EQ(index_of(all_constructions()[i]), i);
-  EXPECT_EQ(slot_name(slot_of(PolygonTruth{Contact::edge, false})), "edge, not planar");
-  EXPECT_EQ(slot_name(slot_of(PolygonTruth{Contact::coplanar, true})), "coplanar");
+  EXPECT_EQ(slot_name(slot_of(Truth{Contact::edge, false})), "edge, not planar");
+  EXPECT_EQ(slot_name(slot_of(Truth{Contact::coplanar, true})), "coplanar");
 }
 
 TEST(PolygonFuzz, ThreadsDoNotShow) {
-  PolygonFuzzPlan plan = plan_for({"haines-double", "sf-float"}, 3'000);
-  const PolygonFuzzReport one = fuzz(plan);
+  FuzzPlan plan = plan_for({"haines-double", "sf-float"}, 3'000);
+  const FuzzReport one = fuzz(plan);
   plan.threads = 3;
-  const PolygonFuzzReport three = fuzz(plan);
+  const FuzzReport three = fuzz(plan);
   EXPECT_EQ(one.counts, three.counts);
   ASSERT_EQ(one.findings.size(), three.findings.size());
   ASSERT_FALSE(one.findings.empty());
@@ -218,14 +218,14 @@ TEST(PolygonFuzz, ThreadsDoNotShow) {
 }
 
 TEST(PolygonFuzz, CounterexamplesAreSmallAndReplay) {
-  const PolygonFuzzPlan plan = plan_for({"haines-double", "feito-double", "sf-double"}, 2'800);
-  const PolygonFuzzReport report = fuzz(plan);
+  const FuzzPlan plan = plan_for({"haines-double", "feito-double", "sf-double"}, 2'800);
+  const FuzzReport report = fuzz(plan);
   std::map<std::size_t, int> kept;
-  for (const PolygonFinding& f : report.findings) {
+  for (const Finding& f : report.findings) {
     if (++kept[f.method] > 4) continue;
-    const PolygonCase c = to_counterexample(plan, f);
-    EXPECT_LE(c.query.polygon.vertices.size(), f.trial.query.polygon.vertices.size());
-    EXPECT_LE(c.query.polygon.vertices.size(), 10U) << c.id;
+    const Case c = to_counterexample(plan, f);
+    EXPECT_LE(c.query.polygon().vertices.size(), f.trial.query.polygon().vertices.size());
+    EXPECT_LE(c.query.polygon().vertices.size(), 10U) << c.id;
     EXPECT_EQ(c.finding["answers"].size(), all_methods().size());
     EXPECT_EQ(c.finding["answers"][plan.methods[f.method].name], c.finding["answered"]);
     EXPECT_EQ(c.finding["answers"]["mt-double"], Json()) << "takes no polygons";
@@ -235,10 +235,10 @@ TEST(PolygonFuzz, CounterexamplesAreSmallAndReplay) {
     bool wrong = false;
     EXPECT_NE(replay(c, wrong).find("WRONG"), std::string::npos);
     EXPECT_TRUE(wrong);
-    const PolygonCase again = to_polygon_case(parse_json(from_case(c).dump(), {"case", 1}), {"case", 1});
-    EXPECT_EQ(again.query.polygon.vertices, c.query.polygon.vertices);
-    const PolygonQuery fixed = shrink(plan.methods[f.method], c.query, c.format);
-    EXPECT_EQ(fixed.polygon.vertices, c.query.polygon.vertices) << "its own fixed point";
+    const Case again = to_polygon_case(parse_json(from_case(c).dump(), {"case", 1}), {"case", 1});
+    EXPECT_EQ(again.query.polygon().vertices, c.query.polygon().vertices);
+    const Query fixed = shrink(plan.methods[f.method], c.query, c.format);
+    EXPECT_EQ(fixed.polygon.vertices, c.query.polygon().vertices) << "its own fixed point";
   }
   for (std::size_t m = 0; m < 3; ++m) EXPECT_GT(kept[m], 0) << plan.methods[m].name;
 }
@@ -249,7 +249,7 @@ Method planted(const Change& change) {
   Method m = reference_method();
   m.polygon = [change](const Polygon& polygon) -> PreparedPolygon {
     const PreparedPolygon right = reference_method().polygon(polygon);
-    const auto wrong = [change, right, polygon](const auto& probe, PolygonAnswer answer) {
+    const auto wrong = [change, right, polygon](const auto& probe, Answer answer) {
       change(probe, polygon, answer);
       return answer;
     };
@@ -261,29 +261,27 @@ Method planted(const Change& change) {
 
 template <class Change>
 std::size_t findings_with(const Change& change) {
-  PolygonFuzzPlan plan = plan_for({}, 2'800);
+  FuzzPlan plan = plan_for({}, 2'800);
   plan.methods = {planted(change)};
   return fuzz(plan).findings.size();
 }
 
 TEST(PolygonFuzz, FindsPlantedBugs) {
-  EXPECT_EQ(findings_with([](const auto&, const Polygon&, PolygonAnswer&) {}), 0U);
-  EXPECT_GT(findings_with([](const auto&, const Polygon&, PolygonAnswer& a) {
-              a.answer.hit = a.answer.hit && a.answer.contact != Contact::vertex;
-            }),
-            0U)
+  EXPECT_EQ(findings_with([](const auto&, const Polygon&, Answer&) {}), 0U);
+  EXPECT_GT(
+      findings_with([](const auto&, const Polygon&, Answer& a) { a.hit = a.hit && a.contact != Contact::vertex; }), 0U)
       << "vertices excluded";
-  EXPECT_GT(findings_with([](const auto&, const Polygon& polygon, PolygonAnswer& a) {
-              a.answer.hit = a.answer.hit && (a.answer.contact != Contact::edge || polygon.rings() == 1);
+  EXPECT_GT(findings_with([](const auto&, const Polygon& polygon, Answer& a) {
+              a.hit = a.hit && (a.contact != Contact::edge || polygon.rings() == 1);
             }),
             0U)
       << "hole edges excluded";
-  EXPECT_GT(findings_with([](const auto&, const Polygon&, PolygonAnswer& a) { a.planar = true; }), 0U)
+  EXPECT_GT(findings_with([](const auto&, const Polygon&, Answer& a) { a.planar = true; }), 0U)
       << "planar up to a tolerance";
-  EXPECT_GT(findings_with([](const auto& probe, const Polygon& polygon, PolygonAnswer& a) {
+  EXPECT_GT(findings_with([](const auto& probe, const Polygon& polygon, Answer& a) {
               const RationalKernel k;
               const std::size_t end = polygon.ring(0).size();
-              a.answer.hit = segura_feito(probe, Polygon{polygon.ring(0), {&end, 1}}, k).hit;
+              a.hit = segura_feito(probe, Polygon{polygon.ring(0), {&end, 1}}, k).hit;
             }),
             0U)
       << "holes forgotten";

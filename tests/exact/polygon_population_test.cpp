@@ -63,9 +63,9 @@ TEST_P(Populations, TheReferenceAgrees) {
     const PolygonProbe& p = population_.probes[i];
     const Covering& c = coverings[p.polygon];
     EXPECT_TRUE(c.planar);
-    ASSERT_EQ(segura_feito(p.segment, c, k).answer.hit, p.hit);
+    ASSERT_EQ(segura_feito(p.segment, c, k).hit, p.hit);
     const Ray ray{p.segment.p, {p.segment.q - p.segment.p}};
-    ASSERT_EQ(FilteredPolygon(c.polygon).filter_hits(ray), segura_feito(ray, c, k).answer.hit);
+    ASSERT_EQ(FilteredPolygon(c.polygon).filter_hits(ray), segura_feito(ray, c, k).hit);
   }
 }
 

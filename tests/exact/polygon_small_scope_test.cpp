@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/segura_feito_polygon.h"
-#include "exact/polygon/judge.h"
+#include "exact/harness/judge.h"
 #include "exact/polygon/small_scope.h"
 
 namespace tribunal {
@@ -16,7 +16,7 @@ constexpr RingScope few{.most_vertices = 4};
 constexpr auto prepared = [](const Polygon& polygon) {
   const Covering c = cover(polygon, k);
   EXPECT_TRUE(c.planar);
-  return [c](const Segment& s) { return segura_feito(s, c, k).answer.hit; };
+  return [c](const Segment& s) { return segura_feito(s, c, k).hit; };
 };
 
 constexpr auto on_the_fly = [](const Polygon& polygon) {
@@ -39,7 +39,7 @@ TEST(PolygonSmallScope, KnowsContactAndBoundary) {
     if (++rings % 211 != 0) return;
     const PolygonData& polygon = scope.place({ring});
     scope.visit_cases({ring}, rings, [&](const Segment& s, Contact due, bool boundary) {
-      const PolygonTruth truth = exact_truth(PolygonQuery{s, polygon});
+      const Truth truth = exact_truth(Query{s, polygon});
       EXPECT_EQ(truth.contact, due);
       EXPECT_EQ(truth.boundary, boundary);
       if (due == Contact::coplanar) ++(boundary ? coplanar_on_boundary : coplanar_inside);
@@ -75,7 +75,7 @@ template <class Weight>
 auto weighed(const Weight& weight) {
   return [weight](const Polygon& polygon) {
     return [c = cover(polygon, k), weight](const Segment& s) {
-      const Answer right = segura_feito(s, c, k).answer;
+      const Answer right = segura_feito(s, c, k);
       if (!c.plane || (right.hit && right.contact != Contact::interior)) return right.hit;
       const PlaneSides sides = sides_of(c.plane->triangle, s, k);
       if (sides.in_plane() || !reaches(sides.source, sides.target, s.q)) return right.hit;
@@ -134,7 +134,7 @@ TEST(PolygonPlantedBugs, HoleEdgesExcluded) {
 TEST(PolygonPlantedBugs, ProbesInThePlaneMissed) {
   const auto subject = [](const Polygon& polygon) {
     return [c = cover(polygon, k)](const Segment& s) {
-      return c.plane && !sides_of(c.plane->triangle, s, k).in_plane() && segura_feito(s, c, k).answer.hit;
+      return c.plane && !sides_of(c.plane->triangle, s, k).in_plane() && segura_feito(s, c, k).hit;
     };
   };
   EXPECT_GT(exhaust_rings(subject, few).different, 0U);

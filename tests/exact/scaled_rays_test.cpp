@@ -82,7 +82,7 @@ void ask_polygons(const ScaledScene& scene, Wrong& wrong) {
     const Point3 ring[] = {u.a, u.b, u.c};
     const FilteredPolygon polygon{Polygon{ring, one_ring}};
     for (std::size_t r = 0; r < scene.rays.size(); ++r) {
-      wrong.polygon += polygon.meet(scene.rays[r]).answer.hit != scene.hits(r, t);
+      wrong.polygon += polygon.meet(scene.rays[r]).hit != scene.hits(r, t);
     }
   }
 }

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "exact/harness/coordinate_rules.h"
+#include "exact/harness/fuzz.h"
 #include "exact/methods.h"
-#include "exact/polygon/fuzz.h"
 #include "exact/polygon/shrink.h"
 
 namespace tribunal {
@@ -39,12 +39,10 @@ Method rays_are_segments() {
 }
 
 std::string text_of(const Query& query) { return from_case(Case{.query = query}).dump(); }
-std::string text_of(const PolygonQuery& query) { return from_case(PolygonCase{.query = query}).dump(); }
+std::string text_of(const Query& query) { return from_case(Case{.query = query}).dump(); }
 
 bool is_same_case(const Truth& a, const Truth& b) { return a.class_id == b.class_id && a.contact == b.contact; }
-bool is_same_case(const PolygonTruth& a, const PolygonTruth& b) {
-  return a.contact == b.contact && a.planar == b.planar;
-}
+bool is_same_case(const Truth& a, const Truth& b) { return a.contact == b.contact && a.planar == b.planar; }
 
 template <class Q, class T>
 void expect_fixed_point(const Method& m, const Q& query, const T& truth, Format format) {
@@ -81,7 +79,7 @@ TEST(Shrinking, EveryResultIsItsOwnFixedPoint) {
   int total = 0;
   for (const Method& m : {method("sf-float"), method("sf-double"), method("mt-double"), method("sf-double-eps"),
                           capricious(), rays_are_segments()}) {
-    const int found = shrink_many<OnTriangles>(m, all_streams(), 300, 400'000);
+    const int found = shrink_many<OnTriangles>(m, streams_of(Operands::triangles), 300, 400'000);
     EXPECT_EQ(found, 300) << m.name;
     total += found;
   }
@@ -91,7 +89,7 @@ TEST(Shrinking, EveryResultIsItsOwnFixedPoint) {
 TEST(Shrinking, EveryPolygonIsItsOwnFixedPoint) {
   int total = 0;
   for (const char* name : {"haines-double", "feito-double", "sf-double"}) {
-    const int found = shrink_many<OnPolygons>(method(name), all_polygon_streams(), 100, 40'000);
+    const int found = shrink_many<OnPolygons>(method(name), streams_of(Operands::polygons), 100, 40'000);
     EXPECT_EQ(found, 100) << name;
     total += found;
   }

@@ -1,5 +1,5 @@
-// Known bugs, planted on purpose: methods that promise exact answers and are wrong in one way each. They exist so that
-// the tests can be tested; the released program has none of them.
+// Construction bugs, planted on purpose: methods that promise exact answers and are wrong in one way each. They exist
+// so that the tests can be tested; the released program has none of them.
 #pragma once
 
 #include <vector>

@@ -116,7 +116,7 @@ TEST(Populations, GeneralPositionIsExactInBinary32) {
   const Population& general = all_populations().front();
   for (std::uint64_t k = 0; k < 200; ++k) {
     const Query query = general.family.make(Format::binary32, 1, k).query;
-    for (const Point3& v : {query.triangle.a, query.triangle.b, query.triangle.c}) {
+    for (const Point3& v : {query.triangle().a, query.triangle().b, query.triangle().c}) {
       for (int axis = 0; axis < 3; ++axis) EXPECT_TRUE(is_exact_in(v[axis], Format::binary32));
     }
   }

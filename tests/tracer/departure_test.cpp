@@ -20,7 +20,7 @@ std::vector<std::uint32_t> met(const World& world, const Segment& way) {
   std::vector<std::uint32_t> ids;
   for (std::uint32_t id = 0; id < world.triangles.size(); ++id) {
     const PolygonData* polygon = world.polygon(id);
-    const Answer a = polygon ? method("sf-rational").ask(PolygonQuery{way, *polygon}).answer
+    const Answer a = polygon ? method("sf-rational").ask(Query{way, *polygon})
                              : method("sf-rational").segment(way, world.triangles[id]);
     if (is_visible_hit(a)) ids.push_back(id);
   }
@@ -29,7 +29,7 @@ std::vector<std::uint32_t> met(const World& world, const Segment& way) {
 
 Contact contact_of(const World& world, const Ray& ray, std::uint32_t id) {
   const PolygonData* polygon = world.polygon(id);
-  return polygon ? method("sf-rational").ask(PolygonQuery{ray, *polygon}).answer.contact
+  return polygon ? method("sf-rational").ask(Query{ray, *polygon}).contact
                  : method("sf-rational").ray(ray, world.triangles[id]).contact;
 }
 

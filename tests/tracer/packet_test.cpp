@@ -1,9 +1,9 @@
 // Questions asked eight at a time against the same asked one by one of every face.
 #include <functional>
 
+#include "exact/families/family.h"
 #include "exact/filtered/batch.h"
 #include "exact/filtered/filtered.h"
-#include "exact/polygon/family.h"
 #include "tests/tracer/nasty_scenes.h"
 #include "tests/tracer/tree_support.h"
 #include "tracer/scene/read_scene.h"
@@ -186,7 +186,7 @@ TEST_P(Packets, JudgePolygonsOfManyVertices) {
       known += static_cast<std::size_t>(std::popcount(a.known));
       for (std::size_t lane = 0; lane < packet_size; ++lane) {
         if ((a.known >> lane & 1) == 0) continue;
-        const bool expected = exact.ask(PolygonQuery{rays[lane], polygon}).answer.hit;
+        const bool expected = exact.ask(Query{rays[lane], polygon}).answer.hit;
         hit += expected;
         ASSERT_EQ((a.hit >> lane & 1) != 0, expected) << teeth << " teeth";
       }
@@ -237,10 +237,10 @@ TEST_P(Packets, OrderOnlyWhatTheirBoundsTellApart) {
 TEST_P(Packets, JudgePolygonsAsTheCoveringTest) {
   const Method& exact = method("sf-rational");
   std::size_t known = 0, certain = 0;
-  for (const PolygonFamily& family : all_polygon_families()) {
+  for (const Family& family : families_of(Operands::polygons)) {
     for (std::uint64_t k = 0; k < 400; ++k) {
-      const PolygonTrial trial = family.make(Format::binary64, 29, k);
-      const PolygonData& polygon = trial.query.polygon;
+      const Trial trial = family.make(Format::binary64, 29, k);
+      const PolygonData& polygon = trial.query.polygon();
       const WideTree tree(1, [&](std::uint32_t) { return Primitive{box_of(Polygon(polygon)), {}}; });
       const FilteredPolygon filtered(polygon);
       const std::vector<PolygonFigures> figures{filtered.figures()};

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "core/query.h"
+#include "core/operands.h"
 #include "tracer/accel/wide/tree.h"
 
 namespace tribunal {

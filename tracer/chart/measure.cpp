@@ -44,7 +44,7 @@ std::vector<SegmentCase> timed_cases(const Family& family, Format format, const 
   std::vector<SegmentCase> cases;
   for (std::uint64_t k = 0; k < std::min(plan.cases, most_timed_cases); ++k) {
     const Query query = family.make(format, plan.seed, k).query;
-    cases.push_back({std::get<Segment>(query.probe), query.triangle});
+    cases.push_back({std::get<Segment>(query.probe), query.triangle()});
   }
   return cases;
 }

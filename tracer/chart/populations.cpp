@@ -43,7 +43,7 @@ Family general_family() {
           .stresses = "nothing: five random points",
           .population = "five uniform points of the unit cube",
           .axis = "",
-          .proves_class = false,
+          .constructs = false,
           .levels = one_level,
           .make = random_points};
 }

@@ -4,7 +4,6 @@
 
 #include "exact/certificate/certificate.h"
 #include "exact/certificate/verify.h"
-#include "exact/cli/polygon_streams.h"
 #include "exact/families/aimed.h"
 #include "exact/io/failure.h"
 #include "exact/io/files.h"
@@ -43,24 +42,20 @@ Family family_of_mesh(const std::string& path) {
   return aimed_at(std::move(triangles));
 }
 
-std::vector<Case> read_cases_of(OnTriangles, const std::string& path) { return read_cases(path); }
-std::vector<PolygonCase> read_cases_of(OnPolygons, const std::string& path) { return read_polygon_cases(path); }
-
-template <class On>
-BasicCertifyPlan<On> plan_of(const Options& o, const Method& method) {
-  BasicCertifyPlan<On> plan{.method = method, .budget = budget_named(o.budget), .seed = o.seed, .threads = o.threads};
+CertifyPlan plan_of(const Options& o, const Method& method, Operands operands) {
+  CertifyPlan plan{
+      .method = method, .operands = operands, .budget = budget_named(o.budget), .seed = o.seed, .threads = o.threads};
   if (o.cases.empty()) return plan;
-  plan.cases = read_cases_of(On{}, o.cases);
+  plan.cases = read_cases(o.cases, operands);
   plan.truths = truths_of(plan.cases, o.cases);
   return plan;
 }
 
-template <class On>
-int run(const Options& o, const BasicCertifyPlan<On>& plan) {
+int run(const Options& o, const CertifyPlan& plan) {
   make_directory(o.out);
   ChainedLog log = certify(plan);
   const Certificate c = write_certificate(o.out, log);
-  const char* each = On::operands == Operands::triangles ? "class" : "outcome";
+  const char* each = plan.operands == Operands::triangles ? "class" : "outcome";
   print(to_summary(c) + "  " + std::to_string(c.counterexamples.size()) + " counterexamples, the simplest of each " +
         each + "; see " + o.out + "/certificate.md\n");
   return exit_of(c.verdict);
@@ -77,18 +72,18 @@ bool takes_triangles(const Method& method) {
 int run_polygons(const Options& o, const Method& method) {
   require_polygons(method);
   if (!o.mesh.empty()) throw Failure(Exit::usage, "--mesh aims at triangles, expected none with polygons");
-  return run(o, plan_of<OnPolygons>(o, method));
+  return run(o, plan_of(o, method, Operands::polygons));
 }
 
 int run(const Options& o) {
   const std::vector<Method> methods = methods_named(o.method);
   if (methods.size() != 1) throw Failure(Exit::usage, "certify takes one method, found " + o.method);
   if (o.polygons || !takes_triangles(methods[0])) return run_polygons(o, methods[0]);
-  CertifyPlan plan = plan_of<OnTriangles>(o, methods[0]);
+  CertifyPlan plan = plan_of(o, methods[0], Operands::triangles);
   Family of_mesh;
   if (!o.mesh.empty()) {
     of_mesh = family_of_mesh(o.mesh);
-    plan.streams = all_streams();
+    plan.streams = streams_of(Operands::triangles);
     for (const Format format : {Format::binary64, Format::binary32}) plan.streams.push_back({&of_mesh, format});
   }
   return run(o, plan);

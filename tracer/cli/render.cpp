@@ -32,7 +32,7 @@ struct Findings {
   std::size_t colours = 0;               ///< pixels of another colour
   std::array<std::size_t, 4> by_kind{};  ///< by the kind of ray on which the methods part, of the pixels examined
   std::size_t examined = 0, order_only = 0, starts = 0;
-  std::vector<AnyCase> cases;
+  std::vector<Case> cases;
 };
 
 Method method_named(const std::string& name) {
@@ -123,12 +123,6 @@ Json to_json(const Findings& f, const Method& a, const Method& b) {
           {"parted_on_order_only", f.order_only},
           {"parted_on_start_only", f.starts},
           {"cases", f.cases.size()}};
-}
-
-std::string to_lines(const std::vector<AnyCase>& cases) {
-  std::string lines;
-  for (const AnyCase& any : cases) lines += std::visit([](const auto& c) { return from_case(c).dump(); }, any) + "\n";
-  return lines;
 }
 
 // --- what a person reads -----------------------------------------------------------------------------------------

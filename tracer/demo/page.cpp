@@ -72,7 +72,7 @@ std::string one_counterexample(const Tour& tour) {
   const Segment& s = std::get<Segment>(c.query.probe);
   const std::string left = element(
       "figure",
-      sketch(s, c.query.triangle) +
+      sketch(s, c.query.triangle()) +
           element("figcaption",
                   "Triangle abc and segment pq, seen at a slant. A drawing is rounded: what seems to touch may not."));
   const std::string command = "tribunal replay " + tour.directory + "/" + demo_files::counterexample;
@@ -98,7 +98,7 @@ std::string fuzz_row(const FuzzFigures& f) {
 
 std::string families() {
   std::string list;
-  for (const Family& f : all_families()) {
+  for (const Family& f : families_of(Operands::triangles)) {
     list += item("<b>" + escape(f.name) + "</b>: " + escape(f.stresses));
   }
   return list;

@@ -55,7 +55,7 @@ constexpr SignRow sign_rows[] = {
 std::array<int, 5> rounded_signs(const Case& c) {
   const FormulaKernel<double> k;
   const auto& [p, q] = std::get<Segment>(c.query.probe);
-  const Triangle& t = c.query.triangle;
+  const Triangle& t = c.query.triangle();
   return {value(k.orient3d(t.a, t.b, t.c, p)), value(k.orient3d(t.a, t.b, t.c, q)), value(k.orient3d(p, t.a, t.b, q)),
           value(k.orient3d(p, t.b, t.c, q)), value(k.orient3d(p, t.c, t.a, q))};
 }
@@ -107,7 +107,7 @@ std::string answers_in_words(const Case& c) {
 
 std::string coordinates_table(const Case& c) {
   const Segment& s = std::get<Segment>(c.query.probe);
-  const Triangle& t = c.query.triangle;
+  const Triangle& t = c.query.triangle();
   const std::string rows =
       point_row("p", s.p) + point_row("q", s.q) + point_row("a", t.a) + point_row("b", t.b) + point_row("c", t.c);
   return element("div", element("table", rows), "class=\"wide\"");

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/query.h"
+#include "core/operands.h"
 
 namespace tribunal {
 

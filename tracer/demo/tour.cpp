@@ -11,7 +11,7 @@ namespace tribunal {
 namespace {
 
 std::vector<double> coordinates_of(const Case& c) {
-  const Triangle& t = c.query.triangle;
+  const Triangle& t = c.query.triangle();
   std::vector<Point3> points{t.a, t.b, t.c};
   if (const auto* s = std::get_if<Segment>(&c.query.probe)) points.insert(points.end(), {s->p, s->q});
   std::vector<double> coordinates;

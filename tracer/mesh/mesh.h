@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/query.h"
+#include "core/operands.h"
 
 namespace tribunal {
 

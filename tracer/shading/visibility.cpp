@@ -45,10 +45,10 @@ Answer Visibility::ask(const P& probe, std::uint32_t id) const {
   constexpr bool is_ray = std::is_same_v<P, Ray>;
   if (world_.polygon_of[id] >= 0) {
     const auto number = static_cast<std::size_t>(world_.polygon_of[id]);
-    if (sifts_) return filtered_[number].meet(probe).answer;
+    if (sifts_) return filtered_[number].meet(probe);
     const PreparedPolygon& polygon = prepared_[number];
-    if constexpr (is_ray) return polygon.ray(probe).answer;
-    if constexpr (!is_ray) return polygon.segment(probe).answer;
+    if constexpr (is_ray) return polygon.ray(probe);
+    if constexpr (!is_ray) return polygon.segment(probe);
   }
   if constexpr (is_ray) return method_.ray(probe, world_.triangles[id]);
   if constexpr (!is_ray) return method_.segment(probe, world_.triangles[id]);

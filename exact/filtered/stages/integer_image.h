@@ -3,7 +3,7 @@
 
 #include <initializer_list>
 
-#include "core/query.h"
+#include "core/operands.h"
 
 namespace tribunal {
 

@@ -45,7 +45,7 @@ struct SfDouble {
   static constexpr bool exact = false;
   using Prepared = Covering;
   static Prepared prepare(const Polygon& p) { return cover(p, FilteredKernel()); }
-  static bool meets(const Prepared& c, const Segment& s) { return segura_feito(s, c, in_double).answer.hit; }
+  static bool meets(const Prepared& c, const Segment& s) { return segura_feito(s, c, in_double).hit; }
 };
 
 struct SfDoubleOnTheFly {
@@ -115,7 +115,7 @@ struct SfRational {
   static constexpr bool exact = true;
   using Prepared = Covering;
   static Prepared prepare(const Polygon& p) { return cover(p, FilteredKernel()); }
-  static bool meets(const Prepared& c, const Segment& s) { return segura_feito(s, c, RationalKernel{}).answer.hit; }
+  static bool meets(const Prepared& c, const Segment& s) { return segura_feito(s, c, RationalKernel{}).hit; }
 };
 
 /// Wrong answers by method, over all populations in general position, and on the boundary.

@@ -55,7 +55,7 @@ std::vector<ClassId> degenerate_classes() {
   return ids;
 }
 
-Pair pair_of(const Trial& t) { return {std::get<Segment>(t.query.probe), t.query.triangle}; }
+Pair pair_of(const Trial& t) { return {std::get<Segment>(t.query.probe), t.query.triangle()}; }
 
 }  // namespace
 

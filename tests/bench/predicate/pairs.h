@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/query.h"
+#include "core/operands.h"
 #include "exact/filtered/batch.h"
 
 namespace tribunal::bench {

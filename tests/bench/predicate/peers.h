@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "core/query.h"
+#include "core/operands.h"
 
 namespace tribunal::bench {
 

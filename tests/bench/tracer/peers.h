@@ -5,7 +5,7 @@
 #include <memory>
 #include <span>
 
-#include "core/query.h"
+#include "core/operands.h"
 #include "tracer/mesh/mesh.h"
 
 namespace tribunal::bench {

@@ -1,4 +1,4 @@
-// Queries as they come, sorted into columns and asked block by block.
+// Pairs as they come, sorted into columns and asked block by block.
 #include <array>
 #include <stdexcept>
 #include <variant>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t block = 256;
 
-/// Up to a block of queries of one kind, by columns, with the places where their answers go.
+/// Up to a block of pairs of one kind, by columns, with the places where their answers go.
 class Block {
  public:
   template <class P>
@@ -26,8 +26,8 @@ class Block {
 
   bool full() const { return size_ == block; }
 
-  /// Answers the queries of the block and empties it.
-  void answer(FilterPairs filter, std::size_t lanes, std::span<const Query> queries, std::span<Answer> answers) {
+  /// Answers the pairs of the block and empties it.
+  void answer(FilterPairs filter, std::size_t lanes, std::span<const TrianglePair> pairs, std::span<Answer> answers) {
     std::array<const double*, 15> columns;
     for (std::size_t c = 0; c < columns.size(); ++c) columns[c] = columns_[c].data();
     std::array<std::uint8_t, block> hit;
@@ -35,7 +35,7 @@ class Block {
     const std::size_t whole = size_ - size_ % lanes;
     const std::size_t left = filter(columns.data(), whole, hit.data(), undecided.data());
     for (std::size_t i = 0; i < whole; ++i) answers[places_[i]] = certain(hit[i] != 0);
-    const auto ask = [&](std::size_t i) { answers[places_[i]] = intersect(queries[places_[i]]); };
+    const auto ask = [&](std::size_t i) { answers[places_[i]] = intersect(pairs[places_[i]]); };
     for (std::size_t k = 0; k < left; ++k) ask(undecided[k]);
     for (std::size_t i = whole; i < size_; ++i) ask(i);
     size_ = 0;
@@ -52,14 +52,14 @@ class Block {
 
 }  // namespace
 
-void intersect(std::span<const Query> queries, std::span<Answer> answers) {
-  if (queries.size() != answers.size()) throw std::invalid_argument("batch: not one answer for each query");
+void intersect(std::span<const TrianglePair> pairs, std::span<Answer> answers) {
+  if (pairs.size() != answers.size()) throw std::invalid_argument("batch: not one answer for each pair");
   const BatchTarget& target = batch_target();
   Block segments, rays;
-  const auto answer_segments = [&] { segments.answer(target.segments, target.lanes, queries, answers); };
-  const auto answer_rays = [&] { rays.answer(target.rays, target.lanes, queries, answers); };
-  for (std::size_t i = 0; i < queries.size(); ++i) {
-    const Query& q = queries[i];
+  const auto answer_segments = [&] { segments.answer(target.segments, target.lanes, pairs, answers); };
+  const auto answer_rays = [&] { rays.answer(target.rays, target.lanes, pairs, answers); };
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const TrianglePair& q = pairs[i];
     if (const auto* s = std::get_if<Segment>(&q.probe)) {
       segments.add(*s, q.triangle, i);
       if (segments.full()) answer_segments();

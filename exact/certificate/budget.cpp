@@ -1,0 +1,98 @@
+#include "exact/certificate/budget.h"
+
+#include "exact/classes/class_table.h"
+#include "exact/io/case_io.h"
+#include "exact/log/chain.h"
+#include "exact/log/sample_row.h"
+
+namespace tribunal {
+namespace {
+
+std::vector<WholeSet> sets_of_triangles(const Budget& budget) {
+  using M = const Method&;
+  std::vector<WholeSet> sets = {
+      {pocket_set(), [](M m, unsigned) { return pocket_run(m); }},
+      {lattice_set(3), [](M m, unsigned threads) { return lattice_run(m, 3, threads); }},
+      {ray_pocket_set(), [](M m, unsigned) { return ray_pocket_run(m); }},
+      {ray_lattice_set(false), [](M m, unsigned threads) { return ray_lattice_run(m, false, threads); }}};
+  if (!budget.full_scope) return sets;
+  sets.push_back({line_set(), [](M m, unsigned) { return line_run(m); }});
+  sets.push_back({lattice_set(4), [](M m, unsigned threads) { return lattice_run(m, 4, threads); }});
+  sets.push_back({ray_lattice_set(true), [](M m, unsigned threads) { return ray_lattice_run(m, true, threads); }});
+  return sets;
+}
+
+std::vector<WholeSet> sets_of_polygons(const Budget& budget) {
+  using M = const Method&;
+  const int most = budget.full_scope ? 6 : 5;
+  std::vector<WholeSet> sets = {
+      {rings_set(4), [](M m, unsigned) { return pocket_of_rings_run(m); }},
+      {rings_set(most), [most](M m, unsigned threads) { return rings_run(m, most, threads); }},
+      {ray_rings_set(most), [most](M m, unsigned threads) { return ray_rings_run(m, most, threads); }},
+      {holes_set(3), [](M m, unsigned threads) { return holes_run(m, 3, threads); }},
+      {two_holes_set(), [](M m, unsigned threads) { return two_holes_run(m, threads); }}};
+  if (!budget.full_scope) return sets;
+  sets.push_back({holes_set(4), [](M m, unsigned threads) { return holes_run(m, 4, threads); }});
+  sets.push_back({centred_rings_set(), [](M m, unsigned threads) { return centred_rings_run(m, threads); }});
+  return sets;
+}
+
+/// A digest of the stream's first cases, so that a log tells whether the seed that it names made them.
+std::string digest_of(const Stream& stream, std::uint64_t seed) {
+  std::string first;
+  for (std::uint64_t k = 0; k < 16; ++k)
+    first += from_case({.id = "", .query = stream.family->make(stream.format, seed, k).query}).dump();
+  return sha256(first);
+}
+
+}  // namespace
+
+std::uint64_t cases_per_stream(const Budget& b, Operands operands) {
+  return operands == Operands::triangles ? all_class_count * b.cases_per_class : shape_count * place_count * b.rounds;
+}
+
+std::vector<WholeSet> whole_sets(const Budget& budget, Operands operands) {
+  return operands == Operands::triangles ? sets_of_triangles(budget) : sets_of_polygons(budget);
+}
+
+Json stream_record(const Stream& stream, std::uint64_t seed, std::uint64_t cases) {
+  const Json record = {{"record", "stream"},
+                       {"family", stream.family->name},
+                       {"fmt", name_of(stream.format)},
+                       {"axis", stream.family->axis},
+                       {"population", stream.family->population},
+                       {"judged_by", oracle_of(*stream.family)},
+                       {"aims_at_classes", stream.family->constructs},
+                       {"first_cases", digest_of(stream, seed)},
+                       {"cases", cases}};
+  return with_operands(record, stream.family->operands);
+}
+
+Json with_operands(Json record, Operands operands) {
+  if (operands == Operands::polygons) record["operands"] = "polygons";
+  return record;
+}
+
+Json budget_record(const Budget& b) {
+  return {{"record", "budget"},
+          {"budget", b.name},
+          {"cases_per_class", b.cases_per_class},
+          {"full_scope", b.full_scope},
+          {"rounds", b.rounds}};
+}
+
+Budget to_budget(const Json& record, const Where& where) {
+  return {string_of(record, "budget", where), number_of(record, "cases_per_class", where),
+          truth_value_of(record, "full_scope", where), number_of(record, "rounds", where)};
+}
+
+Owed owed_by(const Budget& budget, std::uint64_t seed, Operands operands) {
+  Owed owed;
+  for (const WholeSet& set : whole_sets(budget, operands)) owed.sets.push_back(set.about);
+  for (const Stream& stream : streams_of(operands)) {
+    owed.streams.push_back(stream_record(stream, seed, cases_per_stream(budget, operands)));
+  }
+  return owed;
+}
+
+}  // namespace tribunal

@@ -1,0 +1,63 @@
+// What a trial is made of: whole sets and sampled streams, by budget.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "exact/certificate/small_scope.h"
+#include "exact/harness/fuzz.h"
+#include "exact/io/json.h"
+
+namespace tribunal {
+
+/// What is run. `cases_per_class`: sampled cases of each class in each stream that proves classes, and 328 times as
+/// many a stream in the others. `rounds`: of polygons, how often each stream goes through all pairs of a ring
+/// configuration and a place (572 cases).
+struct Budget {
+  std::string name;
+  std::uint64_t cases_per_class;
+  bool full_scope;  ///< {0..3}³ and the five-point lines too, not only {0,1,2}³; all of the small scope of polygons
+  std::uint64_t rounds = 6;
+
+  friend bool operator==(const Budget&, const Budget&) = default;
+};
+
+/// quick: with no failure in 280 the pointwise bound is 1.1 %. standard: all sets, 0.3 %. soak: with all streams that
+/// prove classes (16 today), 8.1·10⁶ cases a class, for which the simultaneous 95 % bound is 10⁻⁶; hours to days.
+inline const std::vector<Budget> budgets{
+    {"quick", 280, false, 18}, {"standard", 1000, true, 108}, {"soak", 506'000, true, 10'800}};
+
+/// Sampled cases of each stream.
+std::uint64_t cases_per_stream(const Budget& budget, Operands operands);
+
+/// A set, and how it is run.
+struct WholeSet {
+  SetDescription about;
+  std::function<ScopeResult(const Method&, unsigned threads)> run;
+};
+
+/// The sets that the budget runs whole, in order.
+std::vector<WholeSet> whole_sets(const Budget& budget, Operands operands);
+
+/// The record "stream" of a sampled stream, with all but what depends on the method.
+Json stream_record(const Stream& stream, std::uint64_t seed, std::uint64_t cases);
+
+/// The record with the word that it is about polygons; of triangles it goes without saying.
+Json with_operands(Json record, Operands operands);
+
+/// The record "budget": what the budget asks for, in numbers.
+Json budget_record(const Budget& budget);
+Budget to_budget(const Json& record, const Where& where);
+
+/// What a whole trial with this budget and seed must have in its log, apart from answers: the sets that are run whole,
+/// in order, and the record "stream" of each sampled stream, in order, without "taken", which depends on the method.
+struct Owed {
+  std::vector<SetDescription> sets;
+  std::vector<Json> streams;
+};
+
+Owed owed_by(const Budget& budget, std::uint64_t seed, Operands operands);
+
+}  // namespace tribunal
