@@ -274,7 +274,9 @@ Method plugin_method(const tribunal_plugin& plugin, const std::string& file, con
   method.segment = [caller](const Segment& s, const Triangle& t) { return caller.ask(s, t); };
   method.ray = [caller](const Ray& r, const Triangle& t) { return caller.ask(r, t); };
   if (plugin.ask != nullptr && plugin.ask_batch != nullptr) {
-    method.batch = [caller](std::span<const TrianglePair> pairs, std::span<Answer> answers) { caller.ask_all(pairs, answers); };
+    method.batch = [caller](std::span<const TrianglePair> pairs, std::span<Answer> answers) {
+      caller.ask_all(pairs, answers);
+    };
   }
   return method;
 }

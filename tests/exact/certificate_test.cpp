@@ -30,14 +30,14 @@ class CertificateTest : public testing::Test {
   }
   void TearDown() override { std::filesystem::remove_all(directory_); }
 
-  template <class On = OnTriangles>
   Certificate write(const CertifyPlan& plan) {
     ChainedLog log = certify(plan);
     return write_certificate(directory_, log);
   }
 
   Certificate write_polygons(const char* name, std::uint64_t rounds) {
-    return write<OnPolygons>({.method = method(name), .budget = {"tiny", 0, false, rounds}, .threads = 2});
+    return write(
+        {.method = method(name), .operands = Operands::polygons, .budget = {"tiny", 0, false, rounds}, .threads = 2});
   }
 
   std::string file(const char* name) const { return directory_ + "/" + name; }
@@ -107,7 +107,7 @@ TEST_F(CertificateTest, RefutesDoubleAndSaysWhy) {
 TEST_F(CertificateTest, ACaseOfTheUsersOwnRefutesToo) {
   Case own;
   own.id = "mine";
-  own.query = {Segment{{0.5, 0.25, 0}, {0.5, 0.25, 1}}, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+  own.query = {Segment{{0.5, 0.25, 0}, {0.5, 0.25, 1}}, Triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
   Method lazy = method("sf-rational");
   lazy.name = "lazy";
   lazy.segment = [](const Segment& s, const Triangle& t) {
@@ -145,7 +145,7 @@ TEST_F(CertificateTest, ANumberEditedInTheLogIsNoticed) {
 TEST_F(CertificateTest, ADroppedSampleMakesAHole) {
   Case own;
   own.id = "mine";
-  own.query = {Segment{{0.5, 0.25, 0}, {0.5, 0.25, 1}}, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+  own.query = {Segment{{0.5, 0.25, 0}, {0.5, 0.25, 1}}, Triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
   write({.method = method("sf-rational"),
          .budget = {"tiny", 1, false},
          .threads = 2,
@@ -340,7 +340,7 @@ TEST_F(CertificateTest, OfPolygonsRefutesTheClassicalWayWithinItsContract) {
   EXPECT_EQ(c.proved[1].count.wrong, 0U) << "small integers";
   EXPECT_GT(c.proved[1].count.unsupported, 0U) << "the boundary";
   for (const Stratum& s : c.strata) {
-    if (s.slot != slot_of(Truth{Contact::edge, true})) continue;
+    if (s.slot != slot_of(Truth{.contact = Contact::edge})) continue;
     EXPECT_EQ(s.count.judged(), 0U) << "the boundary is outside its contract";
   }
   ASSERT_FALSE(c.counterexamples.empty());
@@ -351,7 +351,8 @@ TEST_F(CertificateTest, OfPolygonsRefutesTheClassicalWayWithinItsContract) {
 
 /// Planted: a polygon test that takes every hole edge for a miss, in the small scope and among the constructions.
 TEST_F(CertificateTest, OfPolygonsFindsAPlantedBug) {
-  CertifyPlan plan{.method = method("sf-rational"), .budget = {"tiny", 0, false, 3}, .threads = 2};
+  CertifyPlan plan{
+      .method = method("sf-rational"), .operands = Operands::polygons, .budget = {"tiny", 0, false, 3}, .threads = 2};
   plan.method.name = "planted";
   plan.method.polygon = [](const Polygon& polygon) -> PreparedPolygon {
     const PreparedPolygon right = method("sf-rational").polygon(polygon);

@@ -36,7 +36,7 @@ Segment ends_of(const Probe& probe) {
 }
 
 struct Corpus {
-  std::vector<Query> segments, rays;
+  std::vector<TrianglePair> segments, rays;
   Table p, q, d, a, b, c;
 
   void add(const Segment& s, const Triangle& t) {
@@ -63,7 +63,7 @@ const Corpus& corpus() {
       for (const Format format : {Format::binary32, Format::binary64}) {
         for (std::uint64_t k = 0; k < 500; ++k) {
           const Query q = family.make(format, 14, k).query;
-          c.add(ends_of(q.probe), q.triangle);
+          c.add(ends_of(q.probe), q.triangle());
         }
       }
     }
@@ -124,14 +124,14 @@ TEST_P(Batch, AnswersOneAgainstManyAsTheSingleTestDoes) {
 
 TEST_P(Batch, AnswersQueriesAsTheMethodDoes) {
   const Method& method = *find_method("sf-filtered");
-  std::vector<Query> mixed;
+  std::vector<TrianglePair> mixed;
   for (std::size_t i = 0; i < corpus().segments.size(); ++i) {
     mixed.push_back(i % 3 == 0 ? corpus().rays[i] : corpus().segments[i]);
   }
   std::vector<Answer> answers(mixed.size());
   method.batch(mixed, answers);
   for (std::size_t i = 0; i < mixed.size(); ++i) {
-    const Answer single = method.ask(mixed[i]);
+    const Answer single = method.ask(as_query(mixed[i]));
     Answer batched = answers[i];
     if (batched.stage == Stage::filter || single.stage == Stage::filter) batched.stage = single.stage;
     ASSERT_EQ(batched, single) << i;
@@ -159,10 +159,10 @@ TEST_P(Batch, HandlesEveryLength) {
 /// A NaN or an infinity in any coordinate of any vertex, in any lane, next to sound pairs that hit.
 TEST_P(Batch, SaysNothingOfNonFiniteOperands) {
   const double bad[] = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()};
-  const Query sound{Segment{{1, 1, -1}, {1, 1, 1}}, {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}};
+  const TrianglePair sound{Segment{{1, 1, -1}, {1, 1, 1}}, {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}};
   for (int spoilt = 0; spoilt < 2 * 15 * 2; ++spoilt) {
     const auto spoil = [&](Point3(&v)[5]) { v[spoilt / 2 % 5][spoilt / 10 % 3] = bad[spoilt / 30]; };
-    std::vector<Query> queries(24, sound);
+    std::vector<TrianglePair> queries(24, sound);
     for (std::size_t i = 0; i < queries.size(); i += 3) {
       Point3 v[5] = {{1, 1, -1}, {1, 1, 1}, {0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
       spoil(v);

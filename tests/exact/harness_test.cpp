@@ -197,7 +197,7 @@ TEST(Fuzz, FindsAPlantedBugAndBlamesItsMethod) {
 }
 
 TEST(Judge, ConventionIsNoError) {
-  const Query in_plane{Segment{{1, 1, 0}, {2, 1, 0}}, {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}};
+  const Query in_plane{Segment{{1, 1, 0}, {2, 1, 0}}, Triangle{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}};
   const Truth truth = exact_truth(in_plane);
   EXPECT_TRUE(truth.hit());
   EXPECT_EQ(judge(method("mt-double"), truth, method("mt-double").ask(in_plane)), Judgement::right);
@@ -212,7 +212,7 @@ TEST(Judge, NonFiniteOperandsGetNoAnswer) {
   for (const Method& m : all_methods()) {
     EXPECT_EQ(m.ask({Segment{{nan, 0, 0}, {1, 1, 1}}, {}}).status, Status::nonfinite) << m.name;
     EXPECT_EQ(m.ask({Ray{{0, 0, 0}, {{0, inf, 0}}}, {}}).status, Status::nonfinite) << m.name;
-    EXPECT_EQ(m.ask({Segment{}, {{0, 0, 0}, {0, -inf, 0}, {0, 0, 0}}}).status, Status::nonfinite) << m.name;
+    EXPECT_EQ(m.ask({Segment{}, Triangle{{0, 0, 0}, {0, -inf, 0}, {0, 0, 0}}}).status, Status::nonfinite) << m.name;
   }
 }
 

@@ -35,11 +35,11 @@ FuzzPlan plan_for(const Method& bug, std::uint64_t cases, const std::vector<Meth
 }
 
 FuzzPlan plan_for(const Method& bug, std::uint64_t cases) {
-  return plan_for<OnTriangles>(bug, cases, planted::sound_twins(), streams_of(Operands::triangles));
+  return plan_for(bug, cases, planted::sound_twins(), streams_of(Operands::triangles));
 }
 
 FuzzPlan polygon_plan_for(const Method& bug, std::uint64_t cases) {
-  return plan_for<OnPolygons>(bug, cases, {planted::sound_polygon()}, streams_of(Operands::polygons));
+  return plan_for(bug, cases, {planted::sound_polygon()}, streams_of(Operands::polygons));
 }
 
 struct Hunt {

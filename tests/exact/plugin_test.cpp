@@ -59,7 +59,9 @@ std::vector<Query> some_queries(std::uint64_t each) {
 
 std::vector<Answer> batch_answers(const Method& method, const std::vector<Query>& queries) {
   std::vector<Answer> answers(queries.size(), Answer{.contact = Contact::edge, .class_id = 99});
-  method.batch(queries, answers);
+  std::vector<TrianglePair> pairs;
+  for (const Query& query : queries) pairs.push_back(pair_of(query));
+  method.batch(pairs, answers);
   return answers;
 }
 
@@ -73,7 +75,7 @@ Exit exit_of(const std::function<void()>& action) {
   return Exit::ok;
 }
 
-const Query through{Segment{{0.25, 0.25, 1}, {0.25, 0.25, -1}}, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+const Query through{Segment{{0.25, 0.25, 1}, {0.25, 0.25, -1}}, Triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
 
 TEST(Plugin, BatchAnswersAsSingleCallsDo) {
   for (const int format : {TRIBUNAL_BINARY64, TRIBUNAL_BINARY32}) {

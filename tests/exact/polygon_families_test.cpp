@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "exact/harness/judge.h"
 #include "exact/harness/slot.h"
 #include "exact/methods.h"
 #include "exact/polygon/construction.h"
@@ -39,7 +40,7 @@ TEST(PolygonFamilies, ExactMethodsAreRight) {
         const Trial trial = family.make(format, 7, k);
         ASSERT_TRUE(is_exact_in(trial)) << family.name << " " << k;
         ASSERT_LT(trial.level, family.levels(format).size());
-        const Truth truth = truth_of(trial);
+        const Truth truth = truth_of(trial, k);
         ++contacts[truth.contact];
         ++planar[truth.planar];
         for (const Method* m : exact) {
@@ -64,10 +65,10 @@ TEST(PolygonFamilies, AllKindsAreReached) {
   const Family& family = *find_family("polygon-affine");
   for (std::uint64_t k = 0; k < shape_count * place_count * 6U; ++k) {
     const Trial trial = family.make(Format::binary64, 1, k);
-    ASSERT_TRUE(trial.known);
-    shapes.insert(trial.known->shape);
-    places.insert({trial.known->place, trial.known->approach});
-    pairs.insert({trial.known->shape, trial.known->place});
+    ASSERT_TRUE(trial.construction);
+    shapes.insert(trial.construction->shape);
+    places.insert({trial.construction->place, trial.construction->approach});
+    pairs.insert({trial.construction->shape, trial.construction->place});
   }
   EXPECT_EQ(shapes.size(), 22U);
   EXPECT_EQ(places.size(), 26U * 3U);
@@ -82,7 +83,7 @@ TEST(PolygonFamilies, EveryConstructionMeetsEveryLevel) {
     std::set<std::pair<Slot, std::size_t>> met;
     for (std::uint64_t k = 0; k < approach_count * levels * shape_count * place_count; ++k) {
       const Trial trial = family.make(Format::binary32, 1, k);
-      met.insert({slot_of(*trial.known, false), trial.level});
+      met.insert({slot_of(*trial.construction, false), trial.level});
     }
     EXPECT_EQ(met.size(), all_constructions().size() * levels) << name;
   }
@@ -104,7 +105,7 @@ TEST(PolygonFamilies, NaiveMethodsAreWrongSomewhere) {
     for (const Family& family : families_of(Operands::polygons)) {
       for (std::uint64_t k = 0; k < 1'000; ++k) {
         const Trial trial = family.make(m.format, 3, k);
-        count.add(judge(m, truth_of(trial), m.ask(trial.query)), Stage::none);
+        count.add(judge(m, truth_of(trial, k), m.ask(trial.query)), Stage::none);
       }
     }
     std::printf("  %-14s wrong %llu of %llu judged\n", name, static_cast<unsigned long long>(count.wrong),

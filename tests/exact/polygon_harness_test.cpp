@@ -7,11 +7,11 @@
 #include "core/segura_feito_polygon.h"
 #include "exact/harness/counterexample.h"
 #include "exact/harness/coverage.h"
+#include "exact/harness/shrink.h"
 #include "exact/kernels/rational_kernel.h"
 #include "exact/methods.h"
 #include "exact/polygon/construction.h"
-#include "exact/polygon/relations.h"
-#include "exact/polygon/shrink.h"
+#include "exact/relations/relation.h"
 
 namespace tribunal {
 namespace {
@@ -26,8 +26,9 @@ FuzzPlan plan_for(const std::vector<std::string>& names, std::uint64_t cases) {
 
 TEST(PolygonRelations, HoldForExactMethods) {
   const FuzzPlan plan = plan_for({"sf-rational", "sf-epick"}, 2'800);
-  for (const PolygonRelationCount& c : check_relations(plan)) {
-    const std::string where = plan.methods[c.method].name + " " + std::string(all_polygon_relations()[c.relation].name);
+  for (const RelationCount& c : check_relations(plan)) {
+    const std::string where =
+        plan.methods[c.method].name + " " + std::string(relations_of(Operands::polygons)[c.relation].name);
     EXPECT_EQ(c.broken, 0U) << where;
     EXPECT_GT(c.asked, 200U) << where;
   }
@@ -35,7 +36,7 @@ TEST(PolygonRelations, HoldForExactMethods) {
 
 TEST(PolygonRelations, AreBrokenByNaiveArithmetic) {
   std::uint64_t broken = 0;
-  for (const PolygonRelationCount& c : check_relations(plan_for({"sf-double"}, 2'800))) {
+  for (const RelationCount& c : check_relations(plan_for({"sf-double"}, 2'800))) {
     broken += c.broken;
     EXPECT_EQ(c.witness.size(), c.broken > 0 ? 2U : 0U) << "a query and its change";
   }
@@ -58,7 +59,7 @@ TEST(PolygonRelations, ThreadsDoNotShow) {
 /// A crossing count may answer either way on the boundary: that breaks no promise.
 TEST(PolygonRelations, AreAskedWithinTheContractOnly) {
   const auto counts = check_relations(plan_for({"sf-rational", "haines-double"}, 1'400));
-  const std::size_t n = all_polygon_relations().size();
+  const std::size_t n = relations_of(Operands::polygons).size();
   for (std::size_t r = 0; r < n; ++r) {
     EXPECT_GT(counts[n + r].asked, 0U);
     EXPECT_LT(counts[n + r].asked, counts[r].asked);
@@ -95,10 +96,10 @@ TEST(PolygonJudge, TheBoundaryIsMetInThePlaneToo) {
       const bool due = counts_as_hit(truth.contact, convention);
       const Judgement otherwise = row.boundary ? Judgement::unsupported : Judgement::wrong;
       const Judgement rightly = row.boundary ? Judgement::unsupported : Judgement::right;
-      EXPECT_EQ(judge(m, truth, {due ? hit_at(Contact::unsaid) : miss()}), rightly);
-      EXPECT_EQ(judge(m, truth, {due ? miss() : hit_at(Contact::unsaid)}), otherwise);
+      EXPECT_EQ(judge(m, truth, due ? hit_at(Contact::unsaid) : miss()), rightly);
+      EXPECT_EQ(judge(m, truth, due ? miss() : hit_at(Contact::unsaid)), otherwise);
       m.polygon_promise.boundary = true;
-      EXPECT_EQ(judge(m, truth, {due ? miss() : hit_at(Contact::unsaid)}), Judgement::wrong);
+      EXPECT_EQ(judge(m, truth, due ? miss() : hit_at(Contact::unsaid)), Judgement::wrong);
     }
   }
 }
@@ -147,7 +148,7 @@ const Triangulation triangulations[] = {
 bool any_triangle(const Method& m, const Query& query, const Triangulation& t) {
   const auto& v = query.polygon().vertices;
   return std::any_of(t.triangles.begin(), t.triangles.end(), [&](const auto& i) {
-    return m.ask(Query{query.probe, {v[i[0]], v[i[1]], v[i[2]]}}).hit;
+    return m.ask({query.probe, Triangle{v[i[0]], v[i[1]], v[i[2]]}}).hit;
   });
 }
 
@@ -202,8 +203,8 @@ TEST(PolygonSlots, HaveNames) {
   }
   EXPECT_EQ(names.size(), all.end - 1U);
   for (std::size_t i = 0; i < all_constructions().size(); ++i) EXPECT_EQ(index_of(all_constructions()[i]), i);
-  EXPECT_EQ(slot_name(slot_of(Truth{Contact::edge, false})), "edge, not planar");
-  EXPECT_EQ(slot_name(slot_of(Truth{Contact::coplanar, true})), "coplanar");
+  EXPECT_EQ(slot_name(slot_of(Truth{.contact = Contact::edge, .planar = false})), "edge, not planar");
+  EXPECT_EQ(slot_name(slot_of(Truth{.contact = Contact::coplanar})), "coplanar");
 }
 
 TEST(PolygonFuzz, ThreadsDoNotShow) {
@@ -235,10 +236,10 @@ TEST(PolygonFuzz, CounterexamplesAreSmallAndReplay) {
     bool wrong = false;
     EXPECT_NE(replay(c, wrong).find("WRONG"), std::string::npos);
     EXPECT_TRUE(wrong);
-    const Case again = to_polygon_case(parse_json(from_case(c).dump(), {"case", 1}), {"case", 1});
+    const Case again = to_case(parse_json(from_case(c).dump(), {"case", 1}), {"case", 1});
     EXPECT_EQ(again.query.polygon().vertices, c.query.polygon().vertices);
     const Query fixed = shrink(plan.methods[f.method], c.query, c.format);
-    EXPECT_EQ(fixed.polygon.vertices, c.query.polygon().vertices) << "its own fixed point";
+    EXPECT_EQ(fixed.polygon().vertices, c.query.polygon().vertices) << "its own fixed point";
   }
   for (std::size_t m = 0; m < 3; ++m) EXPECT_GT(kept[m], 0) << plan.methods[m].name;
 }

@@ -67,7 +67,9 @@ FuzzPlan plan_for(std::vector<Method> methods, std::uint64_t cases) {
 }
 
 const RelationCount& count_of(const std::vector<RelationCount>& counts, std::string_view relation) {
-  const auto named = [&](const RelationCount& c) { return all_relations()[c.relation].name == relation; };
+  const auto named = [&](const RelationCount& c) {
+    return relations_of(Operands::triangles)[c.relation].name == relation;
+  };
   return *std::find_if(counts.begin(), counts.end(), named);
 }
 
@@ -84,7 +86,7 @@ TEST(Relations, HoldForExactMethodsOnEveryFamily) {
   ASSERT_GE(plan.methods.size(), 5U);
   for (const RelationCount& c : check_relations(plan)) {
     const Method& method = plan.methods[c.method];
-    const std::string where = method.name + " " + std::string(all_relations()[c.relation].name);
+    const std::string where = method.name + " " + std::string(relations_of(Operands::triangles)[c.relation].name);
     EXPECT_EQ(c.broken, 0U) << where;
     if (method.name.starts_with("sf-")) {
       EXPECT_GT(c.asked, 50U) << where << ": the relation has no cases";
@@ -96,7 +98,7 @@ TEST(Relations, AreBrokenByNaiveArithmetic) {
   std::set<std::string_view> broken;
   for (const RelationCount& c :
        check_relations(plan_for({*find_method("sf-double"), *find_method("sf-float")}, 7'800))) {
-    if (c.broken > 0) broken.insert(all_relations()[c.relation].name);
+    if (c.broken > 0) broken.insert(relations_of(Operands::triangles)[c.relation].name);
     EXPECT_EQ(!c.witness.empty(), c.broken > 0);
   }
   for (const char* name :

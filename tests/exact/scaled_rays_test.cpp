@@ -35,7 +35,7 @@ struct Columns {
 /// A scene as batches want it: every ray with every triangle.
 struct Pairs {
   Columns o, d, a, b, c;
-  std::vector<Query> queries;
+  std::vector<TrianglePair> queries;
 
   explicit Pairs(const ScaledScene& scene) {
     for (const Ray& r : scene.rays) {

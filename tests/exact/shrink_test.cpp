@@ -6,7 +6,6 @@
 #include "exact/harness/coordinate_rules.h"
 #include "exact/harness/fuzz.h"
 #include "exact/methods.h"
-#include "exact/polygon/shrink.h"
 
 namespace tribunal {
 namespace {
@@ -39,15 +38,14 @@ Method rays_are_segments() {
 }
 
 std::string text_of(const Query& query) { return from_case(Case{.query = query}).dump(); }
-std::string text_of(const Query& query) { return from_case(Case{.query = query}).dump(); }
 
-bool is_same_case(const Truth& a, const Truth& b) { return a.class_id == b.class_id && a.contact == b.contact; }
-bool is_same_case(const Truth& a, const Truth& b) { return a.contact == b.contact && a.planar == b.planar; }
+bool is_same_case(const Truth& a, const Truth& b) {
+  return a.class_id == b.class_id && a.contact == b.contact && a.planar == b.planar;
+}
 
-template <class Q, class T>
-void expect_fixed_point(const Method& m, const Q& query, const T& truth, Format format) {
-  const Q small = shrink(m, query, format);
-  const T after = exact_truth(small);
+void expect_fixed_point(const Method& m, const Query& query, const Truth& truth, Format format) {
+  const Query small = shrink(m, query, format);
+  const Truth after = exact_truth(small);
   EXPECT_TRUE(is_same_case(after, truth)) << m.name << " " << text_of(query);
   EXPECT_EQ(judge(m, after, m.ask(small)), Judgement::wrong) << m.name << " " << text_of(query);
   EXPECT_FALSE(is_simpler(query, small));
@@ -56,8 +54,7 @@ void expect_fixed_point(const Method& m, const Q& query, const T& truth, Format 
 
 /// Wrong answers of the method, up to `most`, by case number over all streams in turn; every second segment of a
 /// triangle case is asked as a ray with the same coordinates.
-template <class On, class Streams>
-int shrink_many(const Method& m, const Streams& streams, int most, std::uint64_t end) {
+int shrink_many(const Method& m, const std::vector<Stream>& streams, int most, std::uint64_t end) {
   int found = 0;
   for (std::uint64_t k = 0; k < end && found < most; ++k) {
     const auto& stream = streams[k % streams.size()];
@@ -79,7 +76,7 @@ TEST(Shrinking, EveryResultIsItsOwnFixedPoint) {
   int total = 0;
   for (const Method& m : {method("sf-float"), method("sf-double"), method("mt-double"), method("sf-double-eps"),
                           capricious(), rays_are_segments()}) {
-    const int found = shrink_many<OnTriangles>(m, streams_of(Operands::triangles), 300, 400'000);
+    const int found = shrink_many(m, streams_of(Operands::triangles), 300, 400'000);
     EXPECT_EQ(found, 300) << m.name;
     total += found;
   }
@@ -89,7 +86,7 @@ TEST(Shrinking, EveryResultIsItsOwnFixedPoint) {
 TEST(Shrinking, EveryPolygonIsItsOwnFixedPoint) {
   int total = 0;
   for (const char* name : {"haines-double", "feito-double", "sf-double"}) {
-    const int found = shrink_many<OnPolygons>(method(name), streams_of(Operands::polygons), 100, 40'000);
+    const int found = shrink_many(method(name), streams_of(Operands::polygons), 100, 40'000);
     EXPECT_EQ(found, 100) << name;
     total += found;
   }

@@ -186,7 +186,7 @@ TEST_P(Packets, JudgePolygonsOfManyVertices) {
       known += static_cast<std::size_t>(std::popcount(a.known));
       for (std::size_t lane = 0; lane < packet_size; ++lane) {
         if ((a.known >> lane & 1) == 0) continue;
-        const bool expected = exact.ask(Query{rays[lane], polygon}).answer.hit;
+        const bool expected = exact.ask(Query{rays[lane], polygon}).hit;
         hit += expected;
         ASSERT_EQ((a.hit >> lane & 1) != 0, expected) << teeth << " teeth";
       }
@@ -256,7 +256,7 @@ TEST_P(Packets, JudgePolygonsAsTheCoveringTest) {
       certain += (s ? filtered.filter_hits(*s) : filtered.filter_hits(*r)).has_value();
       known += a.known == (1U << packet_size) - 1;
       if (a.known == 0) continue;
-      const bool hit = exact.ask(trial.query).answer.hit;
+      const bool hit = exact.ask(trial.query).hit;
       ASSERT_EQ(a.known & a.hit, hit ? a.known : 0) << family.name << " " << k;
     }
   }

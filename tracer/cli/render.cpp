@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "exact/harness/counterexample.h"
 #include "exact/io/failure.h"
 #include "exact/io/files.h"
 #include "tracer/cli/command.h"
