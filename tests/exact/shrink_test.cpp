@@ -1,5 +1,6 @@
 // Shrinking: 2,100 counterexamples, each of which must be its own fixed point and the same counterexample.
 #include "exact/harness/shrink.h"
+#include "exact/io/case_io.h"
 
 #include <gtest/gtest.h>
 
