@@ -1,5 +1,5 @@
 // Probes in the plane of the polygon.
-#include "exact/polygon/families/image.h"
+#include "exact/polygon/families/aim.h"
 #include "exact/polygon/families/table.h"
 
 namespace tribunal {
@@ -16,14 +16,12 @@ Ends draw_ends(Draw& draw) {
 PolygonTrial make(Format format, std::uint64_t seed, std::uint64_t k) {
   Draw draw(104, seed, k);
   const std::span<const int> fills = polygon_fills(format);
-  const bool is_ray = turn_of(k, 1).is_ray;
-  const std::uint64_t pair = k / 2;
-  const std::size_t level = pair / shape_count % fills.size();
-  const AffineMap map = draw_polygon_map(draw, format, fills[level]);
+  const PolygonTurn turn = polygon_turn_of(k, fills.size());
+  const AffineMap map = draw_polygon_map(draw, format, fills[turn.level]);
   const Ends ends = draw_ends(draw);
-  return {.query = {image(is_ray, map, ends, format, draw), image(map, all_shapes()[pair % shape_count].rings)},
+  return {.query = {image(turn.is_ray, map, ends, format, draw), image(map, all_shapes()[turn.known.shape].rings)},
           .format = format,
-          .level = static_cast<std::uint16_t>(level)};
+          .level = static_cast<std::uint16_t>(turn.level)};
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 namespace tribunal {
 namespace {
 
-constexpr int most_teeth[] = {4, 20, 80, 300, 1000};
+constexpr int most_teeth[] = {4, 40, 150, 400, 1000};
 
 std::span<const int> levels(Format) { return most_teeth; }
 
@@ -53,10 +53,17 @@ Wall draw_wall(Draw& draw, std::size_t level) {
 
 int draw_below(Draw& draw, int n) { return static_cast<int>(draw.below(static_cast<std::uint64_t>(n))); }
 
+/// Any, or every other time the longest.
+const PlaneRing& draw_ring(Draw& draw, const Wall& wall) {
+  const bool longest = draw.below(2) == 0;
+  if (!longest) return wall.rings[draw.below(wall.rings.size())];
+  return *std::ranges::max_element(wall.rings, {}, &PlaneRing::size);
+}
+
 /// The middle of an edge where it is an integer point, else its end; every other time it is the edge that closes the
 /// ring.
 PlanePoint draw_edge_point(Draw& draw, const Wall& wall) {
-  const PlaneRing& ring = wall.rings[draw.below(wall.rings.size())];
+  const PlaneRing& ring = draw_ring(draw, wall);
   const bool closing = draw.below(2) == 0;
   const std::size_t i = closing ? ring.size() - 1 : draw.below(ring.size());
   const PlanePoint &a = ring[i], &b = ring[(i + 1) % ring.size()];
