@@ -1,6 +1,7 @@
 #include "exact/families/affine.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -103,10 +104,27 @@ Extent extent_of(const ClassTurn& turn, const AffineMap& map, std::size_t axis) 
   const Representative& x = class_row(turn.id).points;
   Extent extent{std::numeric_limits<std::int64_t>::max(), std::numeric_limits<std::int64_t>::min()};
   for (std::size_t i = 0; i < (is_ray_class(turn.id) ? 4 : 5); ++i) {
-    const std::int64_t y = coordinate(map, axis, x[i], map.offset[axis]);
+    const std::int64_t y = coordinate(map, axis, x[i], 0);
     extent = {std::min(extent.lo, y), std::max(extent.hi, y)};
   }
   return extent;
+}
+
+void stretch(AffineMap& map, std::size_t axis, const Extent& extent, Format format) {
+  for (std::int64_t& entry : map.m[axis]) entry *= 2;
+  map.offset[axis] = -(extent.lo + extent.hi);
+  const auto radius = static_cast<std::uint64_t>(extent.hi - extent.lo);
+  map.scale[axis] = largest_exponent(format) + 1 - std::max(1, static_cast<int>(std::bit_width(radius)));
+}
+
+AffineMap draw_axis_map(Draw& draw) {
+  AffineMap map{};
+  const std::uint64_t first = draw.below(3);
+  const std::uint64_t second = (first + 1 + draw.below(2)) % 3;
+  const std::uint64_t axis[3] = {first, second, 3 - first - second};
+  for (std::size_t i = 0; i < 3; ++i) map.m[i][axis[i]] = draw.below(2) == 0 ? 1 : -1;
+  for (int& s : map.scale) s = static_cast<int>(draw.between(-12, 12));
+  return map;
 }
 
 Trial image_of(const ClassTurn& turn, const AffineMap& map, Format format, Draw& draw,

@@ -38,12 +38,20 @@ ClassTurn class_turn_of(std::uint64_t k, std::size_t levels);
 /// The number of the k-th case that asks a segment.
 std::uint64_t segment_case(std::uint64_t k);
 
-/// The least and the largest coordinate on one axis of M·x + o, for the points x of the class representative.
+/// The least and the largest coordinate on one axis of M·x, without offset, for the points x of the class
+/// representative.
 struct Extent {
   std::int64_t lo, hi;
 };
 
 Extent extent_of(const ClassTurn& turn, const AffineMap& map, std::size_t axis);
+
+/// Centres points with this extent of M·x on one axis about zero and scales them until the farthest is in the last
+/// binade: points on both sides of zero are then farther apart than the largest number. Entries of M are doubled.
+void stretch(AffineMap& map, std::size_t axis, const Extent& extent, Format format);
+
+/// A signed axis permutation, each axis scaled by up to 2^±12.
+AffineMap draw_axis_map(Draw& draw);
 
 /// The representative of the class under the map, in random vertex order and direction. The class is kept if no
 /// coordinate of M·x + o exceeds the format's integers.

@@ -1,5 +1,6 @@
 // Full mantissas at the ends of the range.
 #include "exact/families/affine.h"
+#include "exact/families/levels.h"
 #include "exact/families/probe.h"
 #include "exact/families/shapes.h"
 #include "exact/families/table.h"
@@ -7,16 +8,9 @@
 namespace tribunal {
 namespace {
 
-/// Of integers of 40 to 53 bits (binary32: 11 to 24): where they, their squares or their cubes meet an end of the
-/// range.
-constexpr int scales_64[] = {-1074, -1066, -1050, -1022, -586, -537, -400, -358, 230, 289, 459, 600, 970};
-constexpr int scales_32[] = {-149, -144, -137, -126, -84, -74, -57, -50, 19, 27, 40, 60, 103};
-
-constexpr auto levels = by_format<scales_64, scales_32>;
-
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
   Draw draw(17, seed, k);
-  const auto scales = levels(format);
+  const auto scales = extreme_scales(format);
   const ClassTurn turn = class_turn_of(k, scales.size());
   AffineMap map =
       draw_placed_map(draw, format, static_cast<int>(draw.between(digits_of(format) - 13, digits_of(format) - 3)));
@@ -36,7 +30,7 @@ Family extreme_family() {
           .population = "exact affine images of the class representatives with long entries, scaled by powers of two",
           .axis = "log2 of the scale",
           .constructs = true,
-          .levels = levels,
+          .levels = extreme_scales,
           .make = make};
 }
 

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "exact/families/table.h"
-#include "exact/polygon/table.h"
+#include "exact/polygon/families/table.h"
 
 namespace tribunal {
 namespace {

@@ -1,7 +1,4 @@
 // Differences that overflow.
-#include <algorithm>
-#include <bit>
-
 #include "exact/families/affine.h"
 #include "exact/families/probe.h"
 #include "exact/families/shapes.h"
@@ -14,17 +11,6 @@ constexpr int axis_counts[] = {1, 2, 3};
 
 std::span<const int> levels(Format) { return axis_counts; }
 
-/// Centres the points on one axis about zero and scales them until the farthest is in the last binade: points on both
-/// sides of zero are then farther apart than the largest number.
-void stretch(AffineMap& map, std::size_t axis, const ClassTurn& turn, Format format) {
-  for (std::int64_t& entry : map.m[axis]) entry *= 2;
-  map.offset[axis] = 0;
-  const auto [lo, hi] = extent_of(turn, map, axis);
-  map.offset[axis] = -(lo + (hi - lo) / 2);
-  const auto radius = static_cast<std::uint64_t>((hi - lo) / 2);
-  map.scale[axis] = largest_exponent(format) + 1 - std::max(1, static_cast<int>(std::bit_width(radius)));
-}
-
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
   Draw draw(18, seed, k);
   const ClassTurn turn = class_turn_of(k, std::size(axis_counts));
@@ -34,7 +20,7 @@ Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t axis = (first + i) % 3;
     map.scale[axis] = static_cast<int>(draw.between(lowest, 0));
-    if (i <= turn.level) stretch(map, axis, turn, format);
+    if (i <= turn.level) stretch(map, axis, extent_of(turn, map, axis), format);
   }
   return image_of(turn, map, format, draw);
 }

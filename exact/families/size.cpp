@@ -1,17 +1,13 @@
 // General position at every size of the geometry.
 #include <cmath>
 
+#include "exact/families/levels.h"
 #include "exact/families/probe.h"
 #include "exact/families/shapes.h"
 #include "exact/families/table.h"
 
 namespace tribunal {
 namespace {
-
-constexpr int sizes_64[] = {-1000, -700, -500, -340, -200, -120, -60, -20, 0, 20, 120, 200, 340, 500, 700, 1000};
-constexpr int sizes_32[] = {-120, -90, -70, -50, -35, -20, -10, 0, 10, 20, 35, 50, 80, 110};
-
-constexpr auto levels = by_format<sizes_64, sizes_32>;
 
 /// From a few times smaller than the triangle to 2⁶ times larger.
 double draw_length(Draw& draw) { return std::ldexp(1.0, static_cast<int>(draw.between(-3, 6))); }
@@ -21,8 +17,8 @@ Segment operator*(double f, const Segment& s) { return {f * s.p, f * s.q}; }
 
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
   Draw draw(20, seed, k);
-  const auto [is_ray, level] = turn_of(k, levels(format).size());
-  const double size = std::ldexp(1.0, levels(format)[level]);
+  const auto [is_ray, level] = turn_of(k, geometry_sizes(format).size());
+  const double size = std::ldexp(1.0, geometry_sizes(format)[level]);
   const Triangle t = draw_triangle(draw, format);
   const Point3 x = draw_in_plane(draw, format, t);
   const Point3 n = draw_point(draw, format);
@@ -42,7 +38,7 @@ Family size_family() {
           .population = "random triangles in [-2^level,2^level]^3, a probe through a point near them",
           .axis = "log2 of the size",
           .constructs = false,
-          .levels = levels,
+          .levels = geometry_sizes,
           .make = make};
 }
 

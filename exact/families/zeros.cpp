@@ -10,17 +10,6 @@ constexpr int no_levels[] = {0};
 
 std::span<const int> levels(Format) { return no_levels; }
 
-/// A signed axis permutation, each axis scaled by up to 2^±12.
-AffineMap draw_axis_map(Draw& draw) {
-  AffineMap map{};
-  const std::uint64_t first = draw.below(3);
-  const std::uint64_t second = (first + 1 + draw.below(2)) % 3;
-  const std::uint64_t axis[3] = {first, second, 3 - first - second};
-  for (std::size_t i = 0; i < 3; ++i) map.m[i][axis[i]] = draw.below(2) == 0 ? 1 : -1;
-  for (int& s : map.scale) s = static_cast<int>(draw.between(-12, 12));
-  return map;
-}
-
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
   Draw draw(5, seed, k);
   const AffineMap map = draw_axis_map(draw);

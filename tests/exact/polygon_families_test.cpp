@@ -14,6 +14,8 @@ namespace {
 
 constexpr Format formats[] = {Format::binary64, Format::binary32};
 
+const Ray* ray_of(const Trial& trial) { return std::get_if<Ray>(&trial.query.probe); }
+
 bool is_exact_in(const Trial& trial) {
   for (const Point3& v : trial.query.polygon().vertices) {
     if (!is_exact_in(v, trial.format)) return false;
@@ -75,17 +77,20 @@ TEST(PolygonFamilies, AllKindsAreReached) {
   EXPECT_EQ(pairs.size(), 258U) << "every place that a shape has";
 }
 
-/// Within three rounds of levels every construction comes up at every level: none is tried at easy levels only.
-TEST(PolygonFamilies, EveryConstructionMeetsEveryLevel) {
-  for (const char* name : {"polygon-affine", "polygon-scale"}) {
-    const Family& family = *find_family(name);
-    const std::size_t levels = family.levels(Format::binary32).size();
-    std::set<std::pair<Slot, std::size_t>> met;
-    for (std::uint64_t k = 0; k < approach_count * levels * shape_count * place_count; ++k) {
-      const Trial trial = family.make(Format::binary32, 1, k);
-      met.insert({slot_of(*trial.construction, false), trial.level});
+/// Within six rounds of levels every construction comes up at every level by segments and by rays: none is tried at
+/// easy levels only.
+TEST(PolygonFamilies, EveryConstructionMeetsEveryLevelByBothProbes) {
+  for (const Family& family : families_of(Operands::polygons)) {
+    if (!family.constructs) continue;
+    for (const Format format : formats) {
+      const std::size_t levels = family.levels(format).size();
+      std::set<std::pair<Slot, std::size_t>> met;
+      for (std::uint64_t k = 0; k < 2 * approach_count * levels * shape_count * place_count; ++k) {
+        const Trial trial = family.make(format, 1, k);
+        met.insert({slot_of(*trial.construction, ray_of(trial) != nullptr), trial.level});
+      }
+      EXPECT_EQ(met.size(), 2 * all_constructions().size() * levels) << family.name << " " << name_of(format);
     }
-    EXPECT_EQ(met.size(), all_constructions().size() * levels) << name;
   }
 }
 

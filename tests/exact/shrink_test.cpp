@@ -1,11 +1,11 @@
 // Shrinking: 2,100 counterexamples, each of which must be its own fixed point and the same counterexample.
 #include "exact/harness/shrink.h"
-#include "exact/io/case_io.h"
 
 #include <gtest/gtest.h>
 
 #include "exact/harness/coordinate_rules.h"
 #include "exact/harness/fuzz.h"
+#include "exact/io/case_io.h"
 #include "exact/methods.h"
 
 namespace tribunal {

@@ -16,7 +16,7 @@ std::vector<Method> sound_twins();
 
 /// The same for polygons: methods that take nothing else.
 std::vector<Method> polygon_bugs();
-Method sound_polygon();
+std::vector<Method> sound_polygons();
 
 /// Not found by wrong answers: it leaves its worker flushing subnormals to zero, and the harness must notice.
 Method environment_bug();

@@ -9,7 +9,7 @@ int main(int argc, char** argv) {
   for (const Method& m : planted::bugs()) add_method(m);
   for (const Method& m : planted::sound_twins()) add_method(m);
   for (const Method& m : planted::polygon_bugs()) add_method(m);
-  add_method(planted::sound_polygon());
+  for (const Method& m : planted::sound_polygons()) add_method(m);
   add_method(planted::environment_bug());
   constexpr Command commands[] = {
       {"methods", "list the methods, planted ones too", "tribunal_planted methods", declare_methods},

@@ -1,79 +1,17 @@
 // Bugs that show only where numbers leave the middle of the range: differences that overflow, numbers far apart, the
 // ends of the range, probes far longer than the triangle.
-#include <gmpxx.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "core/segura_feito.h"
-#include "exact/kernels/cgal_kernels.h"
-#include "exact/kernels/dyadic.h"
 #include "tests/planted/bugs.h"
+#include "tests/planted/range_kernels.h"
 
 namespace tribunal::planted {
 namespace {
 
 constexpr double least_normal = std::numeric_limits<double>::min();
-
-/// Whether x − y is exact in doubles, by Two-Sum. An infinite difference has the error NaN, which is neither positive
-/// nor negative: it passes, and that is the bug.
-bool is_exact_difference(double x, double y) {
-  const double difference = x - y;
-  const double y_part = x - difference;
-  const double error = (x - (difference + y_part)) + (y_part - y);
-  return !(error > 0 || error < 0);
-}
-
-/// Determinants of differences that doubles hold are taken exactly, all others are EPICK's.
-struct DifferencesUnguarded : EpickKernel {
-  using EpickKernel::orient3d;
-  Sign orient3d(const Point3& a, const Point3& b, const Point3& c, const Point3& x) const {
-    for (const Point3* p : {&b, &c, &x}) {
-      for (int axis = 0; axis < 3; ++axis) {
-        if (!is_exact_difference((*p)[axis], a[axis])) return EpickKernel::orient3d(a, b, c, x);
-      }
-    }
-    const Point3 u = b - a, v = c - a, w = x - a;
-    if (!is_finite(u) || !is_finite(v) || !is_finite(w)) return sign_of(signed_volume<double>(a, b, c, x));
-    return sign_of(det3<Dyadic>(lift<Dyadic>(u), lift<Dyadic>(v), lift<Dyadic>(w)));
-  }
-};
-
-/// m·2^e with no more than 300 bits in m: what lies below is dropped.
-class Windowed {
- public:
-  Windowed() = default;
-  explicit Windowed(double x) {
-    int e = 0;
-    m_ = std::ldexp(std::frexp(x, &e), 53);
-    e_ = e - 53;
-  }
-
-  friend Windowed operator+(const Windowed& a, const Windowed& b) {
-    if (sgn(a.m_) == 0) return b;
-    if (sgn(b.m_) == 0) return a;
-    const long low = std::min(a.e_, b.e_);
-    return Windowed(a.aligned_to(low) + b.aligned_to(low), low);
-  }
-  friend Windowed operator-(const Windowed& a, const Windowed& b) { return a + Windowed(-b.m_, b.e_); }
-  friend Windowed operator*(const Windowed& a, const Windowed& b) { return Windowed(a.m_ * b.m_, a.e_ + b.e_); }
-  friend Sign sign_of(const Windowed& a) { return static_cast<Sign>(sgn(a.m_)); }
-
- private:
-  static constexpr long window = 300;
-
-  Windowed(const mpz_class& m, long e) : m_(m), e_(e) {
-    const long excess = static_cast<long>(mpz_sizeinbase(m_.get_mpz_t(), 2)) - window;
-    if (excess <= 0) return;
-    m_ /= mpz_class(1) << static_cast<unsigned long>(excess);
-    e_ += excess;
-  }
-  mpz_class aligned_to(long low) const { return m_ << static_cast<unsigned long>(e_ - low); }
-
-  mpz_class m_ = 0;
-  long e_ = 0;
-};
 
 template <class K>
 Answer by_kernel(const Segment& s, const Triangle& t) {
@@ -138,9 +76,9 @@ Answer long_probe_lost(const Segment& s, const Triangle& t) {
 std::vector<Method> range_bugs() {
   return {
       method("planted-difference-overflow", "differences that overflow are taken for exact: inf - inf decides",
-             by_kernel<DifferencesUnguarded>, by_kernel_of_ray<DifferencesUnguarded>),
+             by_kernel<ExactDifferences<false>>, by_kernel_of_ray<ExactDifferences<false>>),
       method("planted-window-300", "exact numbers of 300 bits: terms more than 300 binades apart are dropped",
-             by_kernel<FormulaKernel<Windowed>>, by_kernel_of_ray<FormulaKernel<Windowed>>),
+             by_kernel<FormulaKernel<Windowed<300>>>, by_kernel_of_ray<FormulaKernel<Windowed<300>>>),
       method("planted-subnormal-beside", "a subnormal beside a normal number is read as zero", subnormal_beside_normal),
       method("planted-truncated", "40 bits of the mantissa beyond 2^900 and below 2^-900", truncated_at_extremes),
       method("planted-long-probe", "probes longer than 10^4 triangle sizes are lost", long_probe_lost),
