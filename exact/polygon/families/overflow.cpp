@@ -15,12 +15,13 @@ Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
   const Aim aim = draw_aim(k, std::size(axis_counts), draw);
   const auto bits = static_cast<int>(draw.between(0, digits_of(format) - polygon_image_bits - 1));
   AffineMap map = draw_polygon_map(draw, format, bits);
-  const int lowest = least_exponent(format) + polygon_image_bits;
+  const int lowest = least_exponent(format) + digits_of(format) + polygon_image_bits;
+  const Ends points = aim.turn.is_ray ? Ends{aim.ends.from, aim.ends.from} : aim.ends;
   const std::uint64_t first = draw.below(3);
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t axis = (first + i) % 3;
     map.scale[axis] = static_cast<int>(draw.between(lowest, 0));
-    if (i <= aim.turn.level) stretch(map, axis, extent_of(map, axis, aim.rings(), aim.ends), format);
+    if (i <= aim.turn.level) stretch(map, axis, extent_of(map, axis, aim.rings(), points), format);
   }
   return image_of(aim, map, format, draw);
 }
