@@ -23,16 +23,16 @@ NumberFault parse_whole(std::string_view digits, Number& x) {
   return error == std::errc() ? NumberFault::none : NumberFault::out_of_range;
 }
 
-/// The exponent of a numeral that std::from_chars has read to its end: 0 without one, and any huge number for one that
-/// is too long to count.
+/// The exponent of a numeral that std::from_chars has read to its end, 0 without one. Beyond ±2^60 it is ±2^60, which
+/// no count of digits can make up for.
 long long exponent_of(std::string_view numeral) {
+  constexpr long long huge = 1LL << 60;
   const std::size_t e = numeral.find_first_of("eE");
   if (e == numeral.npos) return 0;
   const std::string_view digits = without_plus(numeral.substr(e + 1));
   long long exponent = 0;
-  if (parse_whole(digits, exponent) == NumberFault::none) return exponent;
-  constexpr long long huge = 1LL << 60;
-  return digits[0] == '-' ? -huge : huge;
+  if (parse_whole(digits, exponent) != NumberFault::none) exponent = digits[0] == '-' ? -huge : huge;
+  return std::clamp(exponent, -huge, huge);
 }
 
 /// Whether a numeral out of range is too small: its first digit that is not 0 stands for tenths or less. A numeral out

@@ -21,7 +21,7 @@ PlyType type_named(const Text& in, std::string_view name, bool integer) {
   for (const TypeRow& row : types) {
     if ((name == row.name || name == row.other_name) && !(integer && row.type.floating)) return row.type;
   }
-  throw in.error(quoted(name) + ", expected " + (integer ? "an integer type" : "a type") + " of PLY");
+  throw in.error(in_quotes(name) + ", expected " + (integer ? "an integer type" : "a type") + " of PLY");
 }
 
 PlyCoding read_coding(Text& in) {
@@ -29,7 +29,7 @@ PlyCoding read_coding(Text& in) {
   if (name == "ascii") return PlyCoding::text;
   if (name == "binary_little_endian") return PlyCoding::little;
   if (name == "binary_big_endian") return PlyCoding::big;
-  throw in.error("format " + quoted(name) + ", expected ascii, binary_little_endian or binary_big_endian");
+  throw in.error("format " + in_quotes(name) + ", expected ascii, binary_little_endian or binary_big_endian");
 }
 
 std::string read_name(Text& in) {
@@ -79,7 +79,7 @@ void read_declaration(Text& in, std::string_view word, PlyHeader& header) {
   } else if (word == "property" && !header.elements.empty()) {
     header.elements.back().properties.push_back(read_property(in));
   } else {
-    throw in.error(quoted(word) + ", expected \"element\", \"property\" or \"end_header\"");
+    throw in.error(in_quotes(word) + ", expected \"element\", \"property\" or \"end_header\"");
   }
   in.require_line_end("the end of the line");
 }
@@ -88,9 +88,9 @@ PlyHeader parse(Text& in) {
   PlyHeader header;
   in.require_line("\"ply\"");
   const std::string_view magic = in.token();
-  if (magic != "ply") throw in.error("starts with " + quoted(magic) + ", expected \"ply\"");
+  if (magic != "ply") throw in.error("starts with " + in_quotes(magic) + ", expected \"ply\"");
   const std::string_view format = read_keyword(in, "\"format\"");
-  if (format != "format") throw in.error(quoted(format) + ", expected \"format\"");
+  if (format != "format") throw in.error(in_quotes(format) + ", expected \"format\"");
   header.coding = read_coding(in);
   for (;;) {
     const std::string_view word = read_keyword(in, "\"end_header\"");
@@ -113,12 +113,12 @@ PlyRole role_on_face(const PlyProperty& p) {
 void require_role(const std::string& file, const PlyElement& element, PlyRole role, const char* expected) {
   const auto has = [role](const PlyProperty& p) { return p.role == role; };
   if (std::count_if(element.properties.begin(), element.properties.end(), has) == 1) return;
-  throw bad_input(file, element.line, "element " + quoted(element.name) + ", expected one property " + expected);
+  throw bad_input(file, element.line, "element " + in_quotes(element.name) + ", expected one property " + expected);
 }
 
 void assign_roles(const std::string& file, PlyElement& element) {
   if (element.properties.empty()) {
-    throw bad_input(file, element.line, "element " + quoted(element.name) + " has no properties");
+    throw bad_input(file, element.line, "element " + in_quotes(element.name) + " has no properties");
   }
   for (PlyProperty& p : element.properties) {
     if (element.is_vertex()) p.role = role_on_vertex(p);

@@ -27,7 +27,7 @@ class PlyText {
   long long integer(const PlyType& type) {
     const std::string_view token = next();
     const long long n = in_.to_integer(token, "an integer");
-    if (!type.holds(n)) throw in_.error(quoted(token) + " is out of range of its property's type");
+    if (!type.holds(n)) throw in_.error(in_quotes(token) + " is out of range of its property's type");
     return n;
   }
 

@@ -16,6 +16,8 @@ constexpr std::string_view skipped[] = {"vt",  "vn",       "vp",       "p",     
                                         "s",   "mg",       "usemtl",   "mtllib",     "usemap",   "maplib", "bevel",
                                         "lod", "c_interp", "d_interp", "shadow_obj", "trace_obj"};
 
+constexpr const char* corner_form = "a corner like 7, 7/1, 7//3 or 7/1/3";
+
 bool is_skipped(std::string_view word) {
   return std::find(std::begin(skipped), std::end(skipped), word) != std::end(skipped);
 }
@@ -49,7 +51,7 @@ class ObjReader {
     } else if (word == "f" || word == "fo") {
       read_face();
     } else if (!is_skipped(word)) {
-      throw in_.error("unknown statement " + quoted(word) + ", expected \"v\", \"f\" or one that has no geometry");
+      throw in_.error("unknown statement " + in_quotes(word) + ", expected \"v\", \"f\" or one that has no geometry");
     }
   }
 
@@ -73,6 +75,7 @@ class ObjReader {
   /// "7", "7/1", "7//3" or "7/1/3": the vertex, its texture coordinates and its normal.
   std::uint32_t read_corner(std::string_view token) {
     const std::size_t slash = std::min(token.find('/'), token.size());
+    if (slash == 0) throw in_.error(in_quotes(token) + ", expected " + corner_form);
     check_attributes(token.substr(slash));
     return index_of(in_.to_integer(token.substr(0, slash), "a vertex index"));
   }
@@ -81,10 +84,10 @@ class ObjReader {
     for (int i = 0; i < 2 && !rest.empty(); ++i) {
       rest.remove_prefix(1);
       const std::size_t end = std::min(rest.find('/'), rest.size());
-      if (end > 0) in_.to_integer(rest.substr(0, end), "a corner like 7, 7/1, 7//3 or 7/1/3");
+      if (end > 0) in_.to_integer(rest.substr(0, end), corner_form);
       rest.remove_prefix(end);
     }
-    if (!rest.empty()) throw in_.error(quoted(rest) + ", expected a corner like 7, 7/1, 7//3 or 7/1/3");
+    if (!rest.empty()) throw in_.error(in_quotes(rest) + ", expected " + corner_form);
   }
 
   /// From 1, or from −1 back from the last vertex so far.

@@ -27,7 +27,7 @@ Width read_magic(Text& in) {
   if (take(word, "ST")) width.least += 2;
   if (take(word, "C")) width.least += 3;
   if (take(word, "N")) width.least += 3;
-  if (word != "OFF") throw in.error("starts with " + quoted(magic) + ", expected \"OFF\" and text");
+  if (word != "OFF") throw in.error("starts with " + in_quotes(magic) + ", expected \"OFF\" and text");
   return width;
 }
 

@@ -88,7 +88,7 @@ class StlText {
   }
 
   void read_facet() {
-    if (!same_word(word_, "facet")) throw in_.error(quoted(word_) + ", expected \"facet\" or \"endsolid\"");
+    if (!same_word(word_, "facet")) throw in_.error(in_quotes(word_) + ", expected \"facet\" or \"endsolid\"");
     expect("normal");
     expect_line("outer");
     expect("loop");
@@ -116,7 +116,7 @@ class StlText {
   }
 
   void expect(std::string_view word) {
-    if (!at(word)) throw in_.error(quoted(word_) + ", expected \"" + std::string(word) + "\"");
+    if (!at(word)) throw in_.error(in_quotes(word_) + ", expected \"" + std::string(word) + "\"");
   }
 
   void expect_line(const char* word) {

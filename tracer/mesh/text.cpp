@@ -19,12 +19,12 @@ const char* reason(NumberFault fault) {
 }
 
 std::string describe(NumberFault fault, std::string_view token) {
-  return fault == NumberFault::missing ? "the line ends" : quoted(token) + reason(fault);
+  return fault == NumberFault::missing ? "the line ends" : in_quotes(token) + reason(fault);
 }
 
 }  // namespace
 
-std::string quoted(std::string_view token) {
+std::string in_quotes(std::string_view token) {
   std::string text(token.substr(0, 32));
   for (char& c : text) c = static_cast<unsigned char>(c) < 32 || c == 127 ? '?' : c;
   return "\"" + text + (token.size() > 32 ? "…\"" : "\"");
@@ -98,7 +98,7 @@ std::string_view Text::token_of_any_line(const char* expected) {
 void Text::require_line_end(const char* expected) {
   if (!has_token()) return;
   const std::string_view extra = token();
-  throw error(quoted(extra) + ", expected " + expected);
+  throw error(in_quotes(extra) + ", expected " + expected);
 }
 
 template <class Float>
@@ -115,7 +115,7 @@ template double Text::to_coordinate(std::string_view) const;
 long long Text::to_integer(std::string_view token, const char* expected) const {
   long long n = 0;
   const NumberFault fault = parse_number(token, n);
-  if (fault == NumberFault::malformed) throw error(quoted(token) + ", expected " + expected);
+  if (fault == NumberFault::malformed) throw error(in_quotes(token) + ", expected " + expected);
   if (fault != NumberFault::none) throw error(describe(fault, token) + ", expected " + expected);
   return n;
 }

@@ -12,7 +12,7 @@
 namespace tribunal {
 
 /// For messages: the token in quotes, shortened, with control characters replaced.
-std::string quoted(std::string_view token);
+std::string in_quotes(std::string_view token);
 
 /// Fails with the line of the first NUL byte: text formats have none.
 void require_text(const std::string& file, std::string_view bytes);

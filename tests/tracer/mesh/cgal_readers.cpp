@@ -1,4 +1,4 @@
-#include "tracer/mesh/cgal_readers.h"
+#include "tests/tracer/mesh/cgal_readers.h"
 
 #include <CGAL/IO/OBJ.h>
 #include <CGAL/IO/OFF.h>
@@ -8,43 +8,39 @@
 
 #include <sstream>
 
-namespace tribunal {
+namespace tribunal::testing {
 namespace {
 
-using CgalPoint = CGAL::Simple_cartesian<double>::Point_3;
-using CgalPoints = std::vector<CgalPoint>;
-using Polygons = std::vector<std::vector<std::size_t>>;
+struct CgalSoup {
+  std::vector<CGAL::Simple_cartesian<double>::Point_3> points;
+  std::vector<std::vector<std::size_t>> faces;
+};
 
-bool read_with_cgal(MeshFormat format, std::istream& in, CgalPoints& points, Polygons& polygons) {
-  switch (format) {
-    case MeshFormat::off:
-      return CGAL::IO::read_OFF(in, points, polygons);
-    case MeshFormat::obj:
-      return CGAL::IO::read_OBJ(in, points, polygons);
-    case MeshFormat::ply:
-      return CGAL::IO::read_PLY(in, points, polygons);
-    case MeshFormat::stl:
-      return CGAL::IO::read_STL(in, points, polygons);
-  }
-  return false;
+bool read(const std::string& file, std::istream& in, CgalSoup& soup) {
+  if (file.ends_with(".off")) return CGAL::IO::read_OFF(in, soup.points, soup.faces);
+  if (file.ends_with(".obj")) return CGAL::IO::read_OBJ(in, soup.points, soup.faces);
+  if (file.ends_with(".ply")) return CGAL::IO::read_PLY(in, soup.points, soup.faces);
+  return CGAL::IO::read_STL(in, soup.points, soup.faces);
 }
 
 }  // namespace
 
-bool read_soup(MeshFormat format, const std::string& bytes, PolygonSoup& soup) {
+std::optional<PolygonSoup> cgal_soup(const std::string& file, const std::string& bytes) {
   std::istringstream in(bytes);
   in.imbue(std::locale::classic());
-  CgalPoints points;
+  CgalSoup read_soup;
   try {
-    if (!read_with_cgal(format, in, points, soup.polygons)) return false;
-  } catch (const std::bad_alloc&) {
-    throw;  // the machine's shortage, not the file's fault: the scan bounds what the file may ask for
-  } catch (const std::exception&) {
-    return false;  // CGAL's assertions are exceptions
+    if (!read(file, in, read_soup)) return std::nullopt;
+  } catch (const std::logic_error&) {
+    return std::nullopt;  // CGAL's assertions
   }
-  soup.points.reserve(points.size());
-  for (const CgalPoint& p : points) soup.points.emplace_back(p.x(), p.y(), p.z());
-  return true;
+  PolygonSoup soup;
+  for (const auto& p : read_soup.points) soup.points.emplace_back(p.x(), p.y(), p.z());
+  for (const auto& face : read_soup.faces) {
+    for (const std::size_t i : face) soup.corners.push_back(static_cast<std::uint32_t>(i));
+    soup.end_face();
+  }
+  return soup;
 }
 
-}  // namespace tribunal
+}  // namespace tribunal::testing

@@ -1,16 +1,16 @@
-// CGAL's soup readers behind one door: this header includes no CGAL.
+// CGAL's readers of meshes as a second opinion. This header includes no CGAL.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 
-#include "tracer/mesh/mesh.h"
+#include "tracer/mesh/soup.h"
 
-namespace tribunal {
+namespace tribunal::testing {
 
-enum class MeshFormat { off, obj, ply, stl };
+/// What CGAL reads from a file of this name with these bytes; nothing where it refuses. It accepts more than it should
+/// (indices out of range, coordinates that are not finite) and allocates whatever a header announces.
+std::optional<PolygonSoup> cgal_soup(const std::string& file, const std::string& bytes);
 
-/// What CGAL reads from these bytes, or false where it gives up. It accepts too much (indices out of range,
-/// NaN) and allocates what a header announces: call it after the scan, and check what it returns.
-bool read_soup(MeshFormat format, const std::string& bytes, PolygonSoup& soup);
-
-}  // namespace tribunal
+}  // namespace tribunal::testing
