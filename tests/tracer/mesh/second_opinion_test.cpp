@@ -209,11 +209,7 @@ std::vector<Odd> odd_files() {
        Verdict::only_cgal_accepts},
       {"j.stl", "CGAL knows no capitals", "SOLID\n" + facet + "ENDSOLID\n", Verdict::only_we_accept},
       {"k.off", "CGAL does not look behind the last face", tetrahedron_off + "3 0 1 2\n", Verdict::only_cgal_accepts},
-      {"l.off", "normals",
-       "N" + edited(edited(edited(edited(tetrahedron_off, "0 0 0\n", "0 0 0 1 0 0\n"), "1 0 0\n", "1 0 0 0 1 0\n"),
-                           "0 1 0\n", "0 1 0 0 0 1\n"),
-                    "0 0 1\n3", "0 0 1 1 1 1\n3"),
-       Verdict::both_accept}};
+      {"l.off", "normals", "NOFF\n3 1 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n3 0 1 2\n", Verdict::both_accept}};
 }
 
 TEST(SecondOpinion, OnOddFiles) {
