@@ -26,10 +26,4 @@ struct Mesh {
   }
 };
 
-/// Faces as a mesh file has them, one ring each, with any number of vertices.
-struct PolygonSoup {
-  std::vector<Point3> points;
-  std::vector<std::vector<std::size_t>> polygons;
-};
-
 }  // namespace tribunal

@@ -2,15 +2,20 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "tracer/mesh/mesh.h"
+#include "tracer/mesh/soup.h"
 
 namespace tribunal {
 
-/// The mesh in this file, in its own units, faces with more than three corners as fans. The file is scanned by us
-/// (scan.h), read by CGAL, and the two compared. Text numbers are rounded to binary64 correctly, STL and binary
-/// PLY coordinates taken as they are. Fails with Exit::bad_input, one line `file:line: …` where there are lines:
-/// missing, a directory, empty, unknown extension, and all that the scan refuses.
+/// The mesh in this file, in its own units; faces with more than three corners as mesh_of makes them. A numeral is
+/// rounded to binary64 correctly (to binary32 first where a PLY header says float), binary coordinates are taken as
+/// they are. Fails with Exit::bad_input, one line `file:line: …`, or `file: byte N: …` in binary files: missing, a
+/// directory, empty, unknown extension, and all that the reader of the format refuses (readers.h).
 Mesh read_mesh(const std::string& path);
+
+/// Vertices and faces as they stand in a file of this name, whose bytes these are.
+PolygonSoup read_soup(const std::string& file, std::string_view bytes);
 
 }  // namespace tribunal

@@ -7,7 +7,7 @@
 namespace tribunal {
 namespace {
 
-using IndexRing = std::vector<std::uint32_t>;
+using IndexRing = std::span<const std::uint32_t>;
 
 /// The turns that a ring makes after dropping one axis.
 struct Turns {
@@ -53,14 +53,15 @@ void add_fan(const IndexRing& ring, std::vector<std::array<std::uint32_t, 3>>& t
 
 }  // namespace
 
-Mesh mesh_of(const PolygonSoup& soup) {
-  Mesh mesh{soup.points, {}};
-  for (const auto& polygon : soup.polygons) {
-    const IndexRing ring(polygon.begin(), polygon.end());
-    if (ring.size() <= 3 || fan_is_polygon(ring, soup.points)) {
+Mesh mesh_of(PolygonSoup soup) {
+  Mesh mesh{std::move(soup.points), {}};
+  mesh.triangles.reserve(soup.corners.size() - 2 * soup.size());
+  for (std::size_t f = 0; f < soup.size(); ++f) {
+    const IndexRing ring = soup.face(f);
+    if (ring.size() <= 3 || fan_is_polygon(ring, mesh.vertices)) {
       add_fan(ring, mesh.triangles);
     } else {
-      mesh.polygons.push_back({ring});
+      mesh.polygons.push_back({{ring.begin(), ring.end()}});
     }
   }
   return mesh;

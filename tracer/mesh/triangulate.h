@@ -5,6 +5,7 @@
 #include <string>
 
 #include "tracer/mesh/mesh.h"
+#include "tracer/mesh/soup.h"
 
 namespace tribunal {
 
@@ -12,7 +13,7 @@ namespace tribunal {
 /// that fan, any other as a polygon. A fan is the polygon if the ring is convex: after dropping one axis, no two of its
 /// triangles turn opposite ways, no corner turns against them, and it winds once. Decided by exact signs.
 /// Corners may leave the plane a little, as they do after rounding; the fan is then the surface.
-Mesh mesh_of(const PolygonSoup& soup);
+Mesh mesh_of(PolygonSoup soup);
 
 /// Triangles that tile the face, none of them turned against the outer ring: the fan if it does, else holes are joined
 /// to the outer ring by bridges and ears are cut. Nothing if that fails, as it must where rings cross each other.
