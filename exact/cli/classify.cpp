@@ -12,16 +12,21 @@ struct Options {
   std::string methods, in = "-", out = "-";
 };
 
+/// Whether every triangle that the method takes has an answer by its contract. (`proper` ones it refuses by itself.)
+bool promises_all_triangles(const Contract& c) { return reads_point_sets(c) && c.triangles != Triangles::none; }
+
 /// With the class where the method can tell it.
 Answer answer_to(const Method& method, const Query& query) {
-  return method.classify ? method.classify(query.probe, query.triangle) : method.ask(query);
+  if (method.classify) return method.classify(query.probe, query.triangle);
+  const Answer answer = method.ask(query);
+  if (promises_all_triangles(method.contract) || answer.status != Status::ok) return answer;
+  return within_contract(method, exact_truth(query), answer);
 }
 
 /// `unsupported` where the method promises nothing, which takes the exact answer to tell.
 PolygonAnswer answer_to(const Method& method, const PolygonQuery& query) {
   const PolygonAnswer answer = method.ask(query);
-  const bool promises_all = method.polygon_promise.boundary && method.polygon_promise.surface;
-  if (promises_all || answer.answer.status != Status::ok) return answer;
+  if (promises_all_polygons(method.contract) || answer.answer.status != Status::ok) return answer;
   return within_contract(method, exact_truth(query), answer);
 }
 

@@ -10,6 +10,7 @@
 #include "exact/harness/fuzz.h"
 #include "exact/harness/interrupt.h"
 #include "exact/harness/parallel.h"
+#include "exact/harness/prepared.h"
 #include "exact/harness/progress.h"
 #include "exact/io/failure.h"
 
@@ -84,8 +85,9 @@ inline void ask_all(const Method& method, const std::vector<Query>& queries, std
 
 inline void require_same_by_ask(const Method&, const PolygonQuery&, const PolygonAnswer&) {}
 
-/// What a batch form must never do. Checked where it is wrong, and on every sixteenth case.
+/// What a batch or a prepared form must never do. Checked where it is wrong, and on every sixteenth case.
 inline void require_same_by_ask(const Method& method, const Query& query, const Answer& by_batch) {
+  require_same_when_prepared(method, query);
   if (!method.batch) return;
   const Answer by_ask = method.ask(query);
   if (by_ask.status == by_batch.status && by_ask.hit == by_batch.hit) return;

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "core/due.h"
 #include "core/method.h"
 #include "exact/families/family.h"
 
@@ -12,6 +13,7 @@ namespace tribunal {
 struct Truth {
   ClassId class_id = 0;
   Contact contact = Contact::none;
+  Facing facing = Facing::unsaid;  ///< known wherever the probe crosses the triangle
 
   bool hit() const { return contact != Contact::none; }
 };
@@ -28,21 +30,41 @@ constexpr const char* oracle_of(const Family& family) {
                              : "class table, rational kernel, Caratheodory, CGAL where defined";
 }
 
+/// The truth of a query of this class: what the class does not say is asked of CGAL's EPICK.
+Truth truth_in_class(ClassId id, const Query& query);
+
 /// By construction where the trial knows its class, else exact_truth. Case numbers divisible by 257 (prime, so that all
 /// classes and levels come up) are judged both ways.
 Truth truth_of(const Trial& trial, std::uint64_t k);
 
 enum class Judgement : std::uint8_t { right, wrong, unsupported };
 
-/// Judged by the method's own convention: coplanar contacts are misses to a transversal method.
-inline Judgement judge(const Method& method, const Truth& truth, const Answer& answer) {
-  if (answer.status != Status::ok) return Judgement::unsupported;
-  return answer.hit == counts_as_hit(truth.contact, method.convention) ? Judgement::right : Judgement::wrong;
+/// What contracts can turn on in a case with this exact answer.
+Facts facts_of(const Truth& truth);
+
+/// What the contract owes to a case with this exact answer.
+template <class T>
+Due due(const Contract& contract, const T& truth) {
+  return due(contract, facts_of(truth));
 }
 
+/// Holds a hit or a miss against what is owed.
+constexpr Judgement judge(Due owed, bool hit) {
+  if (owed == Due::nothing) return Judgement::unsupported;
+  return hit == (owed == Due::hit) ? Judgement::right : Judgement::wrong;
+}
+
+/// The answer, or `unsupported` where the contract owes none: most methods cannot tell by themselves whether the probe
+/// meets a boundary.
+Answer within_contract(const Method& method, const Truth& truth, const Answer& answer);
+
+/// Judged by the method's own contract: coplanar contacts are misses to a transversal method, faces seen from behind to
+/// one that culls them; where the contract owes nothing, the answer is not judged.
+Judgement judge(const Method& method, const Truth& truth, const Answer& answer);
+
 /// A binary32 method is on trial only where its operands are exact in binary32.
-constexpr bool takes(const Method& method, Format format) {
-  return method.format == Format::binary64 || format == Format::binary32;
+inline bool takes(const Method& method, Format format) {
+  return method.contract.format == Format::binary64 || format == Format::binary32;
 }
 
 /// Cases asked, of these answered wrongly, of these outside the contract; and the stage of each answer.

@@ -81,7 +81,7 @@ std::vector<PolygonCase> read_polygon_cases(const std::string& path) {
 
 Json from_answer(const std::string& id, const Method& method, const PolygonAnswer& answer) {
   Json object = from_answer(id, method, answer.answer);
-  if (answer.answer.status == Status::ok && method.polygon_promise.surface) object["planar"] = answer.planar;
+  if (answer.answer.status == Status::ok && method.contract.polygons == Polygons::any) object["planar"] = answer.planar;
   return object;
 }
 

@@ -75,6 +75,12 @@ Convention convention_from(int convention, const std::string& file) {
                   "convention is " + std::to_string(convention) + ", expected TRIBUNAL_CLOSED or TRIBUNAL_TRANSVERSAL");
 }
 
+/// Version 1 says in words which probes a test takes. Words that name none are taken to mean both.
+Probes probes_in(const std::string& words) {
+  const bool segments = words.find("segment") != std::string::npos, rays = words.find("ray") != std::string::npos;
+  return segments || rays ? Probes{.segments = segments, .rays = rays} : Probes{};
+}
+
 void require_abi(int abi, const std::string& file) {
   if (abi == TRIBUNAL_PLUGIN_ABI) return;
   throw bad_input(file, 0,
@@ -82,15 +88,15 @@ void require_abi(int abi, const std::string& file) {
                       std::to_string(TRIBUNAL_PLUGIN_ABI));
 }
 
-PolygonPromise promise_from(int restrictions, const std::string& file) {
+void read_restrictions(Contract& contract, int restrictions, const std::string& file) {
   constexpr int all = TRIBUNAL_PLANAR_ONLY | TRIBUNAL_NO_BOUNDARY;
   if ((restrictions & ~all) != 0) {
     throw bad_input(file, 0,
                     "restrictions is " + std::to_string(restrictions) +
                         ", expected 0 or a sum of TRIBUNAL_PLANAR_ONLY and TRIBUNAL_NO_BOUNDARY");
   }
-  return {.boundary = (restrictions & TRIBUNAL_NO_BOUNDARY) == 0,
-          .surface = (restrictions & TRIBUNAL_PLANAR_ONLY) == 0};
+  contract.polygons = (restrictions & TRIBUNAL_PLANAR_ONLY) != 0 ? Polygons::planar : Polygons::any;
+  contract.polygon_boundary = (restrictions & TRIBUNAL_NO_BOUNDARY) != 0 ? Boundary::unspecified : Boundary::closed;
 }
 
 // --- queries and answers across the interface ---------------------------------------------------------------------
@@ -240,7 +246,7 @@ class PolygonCaller {
 void add_polygons(Method& method, const tribunal_polygon_plugin& polygons, const Line& line) {
   require_abi(polygons.abi, line.file);
   if (polygons.ask == nullptr) throw bad_input(line.file, 0, "ask of polygons is NULL, expected a function");
-  method.polygon_promise = promise_from(polygons.restrictions, line.file);
+  read_restrictions(method.contract, polygons.restrictions, line.file);
   method.polygon = [ask = polygons.ask, line](const Polygon& polygon) -> PreparedPolygon {
     const auto caller = std::make_shared<const PolygonCaller>(polygon, ask, line);
     return {.segment = [caller](const Segment& s) { return caller->ask(s); },
@@ -255,17 +261,15 @@ static_assert(sizeof(Coordinates) == 15 * sizeof(double), "a batch is a plain ar
 Method plugin_method(const tribunal_plugin& plugin, const std::string& file, const tribunal_polygon_plugin* polygons) {
   require_abi(plugin.abi, file);
   const Format format = format_from(plugin.format, file);
-  Method method{.name = name_from(plugin.name, file),
-                .number = std::string(name_of(format)),
-                .contract = text_from(plugin.contract, "contract", file),
-                .summary = text_from(plugin.summary, "summary", file),
-                .reference = plugin.reference != nullptr ? text_from(plugin.reference, "reference", file) : "plugin",
-                .convention = convention_from(plugin.convention, file),
-                .format = format,
-                .segment = {},
-                .ray = {},
-                .classify = {},
-                .compare_hits = {}};
+  Method method{
+      .name = name_from(plugin.name, file),
+      .card = {.number = std::string(name_of(format)),
+               .summary = text_from(plugin.summary, "summary", file),
+               .reference = plugin.reference != nullptr ? text_from(plugin.reference, "reference", file) : "plugin"},
+      .contract = {.probes = probes_in(text_from(plugin.contract, "contract", file)),
+                   .triangles = plugin.ask != nullptr ? Triangles::any : Triangles::none,
+                   .convention = convention_from(plugin.convention, file),
+                   .format = format}};
   if (plugin.ask == nullptr && polygons == nullptr) throw bad_input(file, 0, "ask is NULL, expected a function");
   if (polygons != nullptr) add_polygons(method, *polygons, {format, file});
   const Caller caller(plugin, {format, file});

@@ -46,7 +46,8 @@ PolygonTruth truth_for(const P& probe, const PolygonQuery& query) {
     contradiction(query, "the reference says " + std::string(name_of(prepared.answer.contact)),
                   std::string("Caratheodory that ") + (v.boundary ? "a" : "no") + " ring edge is met");
   }
-  return {prepared.answer.contact, prepared.planar, v.boundary};
+  return {
+      .contact = prepared.answer.contact, .planar = prepared.planar, .boundary = v.boundary, .at = prepared.answer.at};
 }
 
 /// What the place says of the contact, where it does: corners and edges that the polygon has twice still are met.
@@ -74,20 +75,24 @@ PolygonTruth truth_of(const PolygonTrial& trial) {
   return truth;
 }
 
-bool is_promised(const PolygonPromise& promise, const PolygonTruth& truth) {
-  return (truth.planar || promise.surface) && (!truth.boundary || promise.boundary);
+Facts facts_of(const PolygonTruth& truth) {
+  return {.of_ray = truth.of_ray,
+          .of_polygon = true,
+          .planar = truth.planar,
+          .contact = truth.contact,
+          .boundary = truth.boundary,
+          .at = truth.at};
 }
 
 PolygonAnswer within_contract(const Method& method, const PolygonTruth& truth, const PolygonAnswer& answer) {
-  if (answer.answer.status != Status::ok || is_promised(method.polygon_promise, truth)) return answer;
+  if (answer.answer.status != Status::ok || due(method.contract, truth) != Due::nothing) return answer;
   return {.answer = refusal(Status::unsupported)};
 }
 
 Judgement judge(const Method& method, const PolygonTruth& truth, const PolygonAnswer& answer) {
   if (within_contract(method, truth, answer).answer.status != Status::ok) return Judgement::unsupported;
-  if (method.exact && answer.planar != truth.planar) return Judgement::wrong;
-  const bool right = answer.answer.hit == counts_as_hit(truth.contact, method.convention);
-  return right ? Judgement::right : Judgement::wrong;
+  if (method.contract.exact && answer.planar != truth.planar) return Judgement::wrong;
+  return judge(due(method.contract, truth), answer.answer.hit);
 }
 
 }  // namespace tribunal

@@ -12,6 +12,7 @@ struct PolygonTruth {
   bool planar = true;
   bool boundary = false;  ///< a ring edge is met: where the contact is edge or vertex, and perhaps where it is coplanar
   bool of_ray = false;    ///< the probe is a ray
+  At at = At::unsaid;     ///< which part of the probe is in contact, where the reference says so
 
   bool hit() const { return contact != Contact::none; }
 };
@@ -26,16 +27,15 @@ PolygonTruth exact_truth(const PolygonQuery& query);
 /// exact_truth, which must also be what the trial's construction proves.
 PolygonTruth truth_of(const PolygonTrial& trial);
 
-/// Whether the method promises anything of a case with this exact answer.
-bool is_promised(const PolygonPromise& promise, const PolygonTruth& truth);
+/// What contracts can turn on in a case with this exact answer.
+Facts facts_of(const PolygonTruth& truth);
 
 /// The answer, or `unsupported` where the method promises none: an inexact method cannot tell by itself whether a
 /// polygon is planar, or a probe meets its boundary.
 PolygonAnswer within_contract(const Method& method, const PolygonTruth& truth, const PolygonAnswer& answer);
-inline Answer within_contract(const Method&, const Truth&, const Answer& answer) { return answer; }
 
-/// By the method's own convention and promise: coplanar contacts are misses to a transversal method; probes that meet a
-/// ring edge and polygons that are not planar are not judged where the method promises nothing of them.
+/// By the method's own contract, as triangles are: probes that meet a ring edge and polygons that are not planar are
+/// not judged where it owes nothing to them.
 Judgement judge(const Method& method, const PolygonTruth& truth, const PolygonAnswer& answer);
 
 }  // namespace tribunal

@@ -137,12 +137,11 @@ bool keeps(const PolygonRelation& relation, const PolygonAnswer& before, const P
   return !relation.keeps_contact || before.answer.contact == after.answer.contact;
 }
 
-bool promises_all(const PolygonPromise& promise) { return promise.boundary && promise.surface; }
-
 /// Whether the method owes an answer to the query: asked exactly, where it does not promise all.
 bool owes(const Method& method, const PolygonTrial& trial) {
   if (!takes(method, trial.format)) return false;
-  return promises_all(method.polygon_promise) || is_promised(method.polygon_promise, exact_truth(trial.query));
+  if (promises_all_polygons(method.contract)) return true;
+  return reads_as_sets(method.contract) && due(method.contract, exact_truth(trial.query)) != Due::nothing;
 }
 
 void ask(const Method& method, const PolygonRelation& relation, const PolygonQuery& query, const PolygonQuery& changed,

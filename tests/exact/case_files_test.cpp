@@ -33,7 +33,7 @@ TEST(CaseFiles, AreAnsweredAsTheySayByEveryExactMethod) {
           [&](const auto& c) {
             ASSERT_TRUE(c.expect.has_value()) << file.path << " " << c.id;
             for (const Method& m : all_methods()) {
-              if (!m.exact) continue;
+              if (!m.contract.exact) continue;
               const auto answer = m.ask(c.query);
               if (status_of(answer) != Status::ok) continue;
               ++judged;

@@ -28,7 +28,7 @@ bool is_exact_in(const PolygonTrial& trial) {
 TEST(PolygonFamilies, ExactMethodsAreRight) {
   std::vector<const Method*> exact;
   for (const Method& m : all_methods()) {
-    if (m.exact && m.polygon) exact.push_back(&m);
+    if (m.contract.exact && m.polygon) exact.push_back(&m);
   }
   ASSERT_GE(exact.size(), 3U);
   for (const PolygonFamily& family : all_polygon_families()) {

@@ -89,8 +89,8 @@ TEST(Watertight, NoRayAimedAtAVertexOrAnEdgePasses) {
                 static_cast<unsigned long long>(here.missed), wide ? std::to_string(there.missed).c_str() : "-");
     EXPECT_GT(here.rays, 100000u);
     const std::uint64_t missed = here.missed + there.missed;
-    EXPECT_TRUE(!m.exact || missed == 0) << name << " missed " << missed;
-    if (!m.exact) naive += missed;
+    EXPECT_TRUE(!m.contract.exact || missed == 0) << name << " missed " << missed;
+    if (!m.contract.exact) naive += missed;
   }
   EXPECT_GT(naive, 100u) << "the rays have no teeth";
 }
