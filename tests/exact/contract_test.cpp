@@ -12,6 +12,7 @@
 #include "exact/harness/counterexample.h"
 #include "exact/harness/fuzz.h"
 #include "exact/io/contract_json.h"
+#include "exact/io/failure.h"
 #include "exact/io/files.h"
 #include "exact/kernels/cgal_kernels.h"
 #include "exact/kernels/rational_kernel.h"

@@ -103,7 +103,7 @@ TEST(PolygonFamilies, NaiveMethodsAreWrongSomewhere) {
     Count count;
     for (const PolygonFamily& family : all_polygon_families()) {
       for (std::uint64_t k = 0; k < 1'000; ++k) {
-        const PolygonTrial trial = family.make(m.format, 3, k);
+        const PolygonTrial trial = family.make(m.contract.format, 3, k);
         count.add(judge(m, truth_of(trial), m.ask(trial.query)), Stage::none);
       }
     }
