@@ -45,13 +45,8 @@ constexpr Answer hit_at(Contact contact, At at = At::unsaid) { return {.hit = tr
 constexpr Answer refusal(Status why) { return {.status = why}; }
 
 /// What a method promises of coplanar contacts. `closed`: hit iff the point sets meet. `transversal`: a probe
-/// in the triangle's plane is a miss, as in the paper's figure 1; boundary contacts are hits under both.
-enum class Convention : std::uint8_t { closed, transversal };
-
-/// Whether an answer with this exact contact is a hit under the convention.
-constexpr bool counts_as_hit(Contact exact, Convention convention) {
-  return exact != Contact::none && (exact != Contact::coplanar || convention == Convention::closed);
-}
+/// in the triangle's plane is a miss, as in the paper's figure 1. `unspecified`: it promises nothing of them.
+enum class Convention : std::uint8_t { closed, transversal, unspecified };
 
 constexpr std::string_view name_of(Contact c) {
   constexpr std::string_view names[] = {"none", "interior", "edge", "vertex", "coplanar", ""};
@@ -73,6 +68,9 @@ constexpr std::string_view name_of(Stage s) {
   return names[static_cast<int>(s)];
 }
 
-constexpr std::string_view name_of(Convention c) { return c == Convention::closed ? "closed" : "transversal"; }
+constexpr std::string_view name_of(Convention c) {
+  constexpr std::string_view names[] = {"closed", "transversal", "unspecified"};
+  return names[static_cast<int>(c)];
+}
 
 }  // namespace tribunal

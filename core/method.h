@@ -2,14 +2,14 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <variant>
 #include <vector>
 
 #include "core/answer.h"
-#include "core/format.h"
+#include "core/contract.h"
 #include "core/polygon.h"
 #include "core/query.h"
 #include "core/sign.h"
@@ -22,30 +22,42 @@ struct PreparedPolygon {
   std::function<Answer(const Ray&)> ray;
 };
 
-/// What a method promises of polygons, beside its convention.
-struct PolygonPromise {
-  bool boundary = true;  ///< false: it may answer either way where a probe meets a ring edge
-  bool surface = true;   ///< false: it promises nothing of polygons that are not planar
+/// A method's answers about one triangle, which it has prepared.
+struct PreparedTriangle {
+  std::function<Answer(const Segment&)> segment{};
+  std::function<Answer(const Ray&)> ray{};
 };
 
-/// Fuzz, certify, render and chart take methods by name and know nothing else about them.
-struct Method {
-  std::string name;             ///< e.g. "sf-double"
-  std::string number;           ///< number type, e.g. "binary64", "GMP dyadic"
-  std::string contract;         ///< which operands it takes
-  std::string summary;          ///< one line for people
-  std::string reference;        ///< where it was published
-  Convention convention;        ///< what it promises of coplanar contacts
-  Format format;                ///< coordinates beyond this format are rounded on entry
-  bool exact = false;           ///< promises the right answer to every query in its contract
-  std::vector<Stage> stages{};  ///< the stages that its answers can come from; empty if it has none
+/// A method's answers about one ray, which it has prepared.
+using PreparedRay = std::function<Answer(const Triangle&)>;
 
-  std::function<Answer(const Segment&, const Triangle&)> segment;
-  std::function<Answer(const Ray&, const Triangle&)> ray;
+/// What people want to know of a method. Code reads the contract.
+struct Card {
+  std::string number{};     ///< number type, e.g. "binary64", "GMP dyadic"
+  std::string summary{};    ///< one line
+  std::string reference{};  ///< where it was published
+};
+
+/// Fuzz, certify, render and chart take methods by name and know nothing else about them. What a method can do beside
+/// answering is said by the functions that it has (core/capability.h).
+struct Method {
+  std::string name{};  ///< e.g. "sf-double"
+  Card card{};
+  Contract contract{};
+  std::vector<Stage> stages{};  ///< the stages that its answers can come from; empty if it has none
+  bool tells_contact = false;   ///< its answers say which part of the target is met
+  bool on_tree_lanes =
+      false;  ///< its filter is the one that the tree's vector lanes compute; goes with `segment`, `ray`
+
+  std::function<Answer(const Segment&, const Triangle&)> segment{};
+  std::function<Answer(const Ray&, const Triangle&)> ray{};
   /// `segment` or `ray` with the class added, for methods that work from signs; else empty.
-  std::function<Answer(const Probe&, const Triangle&)> classify;
+  std::function<Answer(const Probe&, const Triangle&)> classify{};
   /// Sign of t₁ − t₂ for two triangles that the ray crosses; empty if the method has no opinion.
-  std::function<Sign(const Ray&, const Triangle&, const Triangle&)> compare_hits;
+  std::function<Sign(const Ray&, const Triangle&, const Triangle&)> compare_hits{};
+  /// The parameter t of the point o + t·d where the ray hits the triangle, as the method computes it: nothing where it
+  /// reports no hit, or a hit of many points. Empty if the method yields none.
+  std::function<std::optional<double>(const Ray&, const Triangle&)> parameter{};
 
   /// Answers about many pairs at once, one each, as `ask` would give them; empty if the method has no batch form.
   /// The operands are finite.
@@ -53,7 +65,10 @@ struct Method {
 
   /// Its test of polygons with at least one vertex and finite coordinates; empty if it takes none.
   std::function<PreparedPolygon(const Polygon&)> polygon{};
-  PolygonPromise polygon_promise{};
+  /// What it makes of a triangle, or of a ray, for many questions to come, which it then answers as `segment` and `ray`
+  /// do; empty if it prepares none. The operands are finite.
+  std::function<PreparedTriangle(const Triangle&)> prepare_triangle{};
+  std::function<PreparedRay(const Ray&)> prepare_ray{};
 
   /// The answer to a query. A non-finite operand never reaches the test.
   Answer ask(const Query& query) const {

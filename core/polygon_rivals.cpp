@@ -8,8 +8,6 @@ namespace tribunal {
 namespace {
 
 struct Description {
-  const char* name;
-  const char* number;
   const char* summary;
   const char* reference;
   Format format;
@@ -41,26 +39,19 @@ Answer ask_triangle(const P& probe, const Triangle& t, Inclusion<N> inside) {
   return ask(probe, classical_polygon<N>({vertices, ends}), inside);
 }
 
-/// Where a method may answer either way on the boundary, the contract leaves triangles out: the harness judges those
-/// on their boundary too.
+/// A method that may answer either way on the boundary takes no triangles.
 template <class N>
 Method classical_method(const Description& d, Inclusion<N> inside) {
-  Method m{.name = d.name,
-           .number = d.number,
-           .contract = d.decides_boundary ? "segment, ray; triangle, planar polygon"
-                                          : "segment, ray; planar polygon, no boundary",
-           .summary = d.summary,
-           .reference = d.reference,
-           .convention = Convention::transversal,
-           .format = d.format,
-           .exact = false,
+  const Boundary boundary = d.decides_boundary ? Boundary::closed : Boundary::unspecified;
+  Method m{.card = {.number = std::string(name_of(d.format)), .summary = d.summary, .reference = d.reference},
+           .contract = {.triangles = d.decides_boundary ? Triangles::any : Triangles::none,
+                        .polygons = Polygons::planar,
+                        .convention = Convention::transversal,
+                        .polygon_boundary = boundary,
+                        .format = d.format},
            .segment = [](const Segment&, const Triangle&) { return refusal(Status::unsupported); },
            .ray = [](const Ray&, const Triangle&) { return refusal(Status::unsupported); },
-           .classify = {},
-           .compare_hits = {},
-           .batch = {},
-           .polygon = [inside](const Polygon& polygon) { return prepare<N>(polygon, inside); },
-           .polygon_promise = {.boundary = d.decides_boundary, .surface = false}};
+           .polygon = [inside](const Polygon& polygon) { return prepare<N>(polygon, inside); }};
   if (!d.decides_boundary) return m;
   m.segment = [inside](const Segment& s, const Triangle& t) { return ask_triangle<N>(s, t, inside); };
   m.ray = [inside](const Ray& r, const Triangle& t) { return ask_triangle<N>(r, t, inside); };
@@ -68,10 +59,8 @@ Method classical_method(const Description& d, Inclusion<N> inside) {
 }
 
 template <class N>
-Method haines(const char* name, const char* number, Format format) {
-  return classical_method<N>({.name = name,
-                              .number = number,
-                              .summary = "meets the plane, projects, counts crossings",
+Method haines(Format format) {
+  return classical_method<N>({.summary = "meets the plane, projects, counts crossings",
                               .reference = "Haines 1994",
                               .format = format,
                               .decides_boundary = false},
@@ -79,10 +68,8 @@ Method haines(const char* name, const char* number, Format format) {
 }
 
 template <class N>
-Method feito(const char* name, const char* number, Format format) {
-  return classical_method<N>({.name = name,
-                              .number = number,
-                              .summary = "meets the plane, projects, counts signed triangles",
+Method feito(Format format) {
+  return classical_method<N>({.summary = "meets the plane, projects, counts signed triangles",
                               .reference = "Feito, Torres & Ureña 1995",
                               .format = format,
                               .decides_boundary = true},
@@ -91,9 +78,9 @@ Method feito(const char* name, const char* number, Format format) {
 
 }  // namespace
 
-Method haines_float() { return haines<float>("haines-float", "binary32", Format::binary32); }
-Method haines_double() { return haines<double>("haines-double", "binary64", Format::binary64); }
-Method feito_float() { return feito<float>("feito-float", "binary32", Format::binary32); }
-Method feito_double() { return feito<double>("feito-double", "binary64", Format::binary64); }
+Method haines_float() { return haines<float>(Format::binary32); }
+Method haines_double() { return haines<double>(Format::binary64); }
+Method feito_float() { return feito<float>(Format::binary32); }
+Method feito_double() { return feito<double>(Format::binary64); }
 
 }  // namespace tribunal

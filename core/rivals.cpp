@@ -19,25 +19,26 @@ Sign nearer(const Ray& r, const Triangle& s, const Triangle& t) {
 }
 
 template <class N>
-Method moeller_trumbore_method(const char* name, const char* number, Format format) {
-  return {.name = name,
-          .number = number,
-          .contract = "segment, ray; any triangle",
-          .summary = "Cramer's rule, one division, coordinates compared with 0 and 1",
-          .reference = "Möller & Trumbore 1997",
-          .convention = Convention::transversal,
-          .format = format,
-          .exact = false,
+std::optional<double> parameter_of(const Ray& r, const Triangle& t) {
+  return moeller_trumbore<N>(r, t);
+}
+
+template <class N>
+Method moeller_trumbore_method(Format format) {
+  return {.card = {.number = std::string(name_of(format)),
+                   .summary = "Cramer's rule, one division, coordinates compared with 0 and 1",
+                   .reference = "Möller & Trumbore 1997"},
+          .contract = {.convention = Convention::transversal, .format = format},
           .segment = answer_of<N, Segment>,
           .ray = answer_of<N, Ray>,
-          .classify = {},
-          .compare_hits = nearer<N>};
+          .compare_hits = nearer<N>,
+          .parameter = parameter_of<N>};
 }
 
 }  // namespace
 
-Method moeller_trumbore_float() { return moeller_trumbore_method<float>("mt-float", "binary32", Format::binary32); }
+Method moeller_trumbore_float() { return moeller_trumbore_method<float>(Format::binary32); }
 
-Method moeller_trumbore_double() { return moeller_trumbore_method<double>("mt-double", "binary64", Format::binary64); }
+Method moeller_trumbore_double() { return moeller_trumbore_method<double>(Format::binary64); }
 
 }  // namespace tribunal

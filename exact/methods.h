@@ -1,24 +1,51 @@
 // The table of methods: one row each.
 #pragma once
 
+#include <cstdint>
 #include <deque>
 #include <string_view>
+#include <vector>
 
+#include "core/capability.h"
 #include "core/method.h"
 
 namespace tribunal {
 
+/// What a method is asked for by the program itself. Code looks a role up; which method holds it is said in the table
+/// and nowhere else.
+enum class Role : std::uint8_t {
+  reference,       ///< judges the others
+  second_opinion,  ///< is asked beside the reference where its contract holds, and must agree with it
+  calibration,     ///< is naive, and must be wrong somewhere on a sample that is to have teeth
+  flagship,        ///< is exact, fast and certified: the one to use
+  generator        ///< is exact and quick, and asked by families that search for a case
+};
+
+std::string_view name_of(Role role);
+
 /// Every method that the program knows, in the order that `tribunal methods` prints.
 const std::deque<Method>& all_methods();
 
-/// Adds a row for the rest of the run: a plugin, or a bug planted by a test. Before any thread starts. Fails with
-/// Exit::usage if the name is taken.
+/// Adds a row for the rest of the run, without a role: a plugin, or a bug planted by a test. Before any thread starts.
+/// Fails with Exit::usage if the name is taken.
 void add_method(Method method);
 
-/// The method of that name, or nullptr.
+/// The method of that name, or nullptr. For names that come from the command line or from a file.
 const Method* find_method(std::string_view name);
 
-/// The reference that judges the others: sf-rational.
-const Method& reference_method();
+/// The one method of the role.
+const Method& method_with(Role role);
+
+/// All of the role, in the table's order.
+std::vector<Method> methods_with(Role role);
+
+/// All that have the capability, in the table's order.
+std::vector<const Method*> methods_with(Capability capability);
+
+/// The roles of a method of the table.
+std::vector<Role> roles_of(const Method& method);
+
+inline const Method& reference_method() { return method_with(Role::reference); }
+inline const Method& flagship_method() { return method_with(Role::flagship); }
 
 }  // namespace tribunal

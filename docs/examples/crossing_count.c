@@ -73,7 +73,6 @@ const tribunal_plugin* tribunal_plugin_describe(void) {
   static const tribunal_plugin plugin = {
       .abi = TRIBUNAL_PLUGIN_ABI,
       .name = "my-polygons",
-      .contract = "segment, ray; planar polygon, no boundary",
       .summary = "meets the plane, projects, counts crossings",
       .reference = "Haines 1994",
       .format = TRIBUNAL_BINARY64,

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "exact/classes/class_table.h"
+#include "exact/io/contract_json.h"
 #include "exact/io/files.h"
 
 namespace tribunal {
@@ -56,8 +57,9 @@ std::vector<Stage> to_stages(const Json& plan, const Where& where) {
 void read(Certificate& c, const Json& r, const Where& where) {
   const std::string kind = string_of(r, "record", where);
   if (kind == "plan") {
-    for (const char* key : {"method", "convention", "contract", "budget"}) string_of(r, key, where);
+    for (const char* key : {"method", "budget"}) string_of(r, key, where);
     c.plan = r;
+    c.contract = to_contract(require(r, "terms", where), where.key("terms"));
     c.stages = to_stages(r, where);
     operands_in(r, where);
   } else if (kind == "environment") {
@@ -128,9 +130,7 @@ void add_stream_gaps(Certificate& c) {
   }
 }
 
-std::string outside_contract(const Certificate& c) {
-  return "outside the method's contract: " + c.plan["contract"].get<std::string>();
-}
+std::string outside_contract(const Certificate& c) { return "outside the method's contract: " + in_words(c.contract); }
 
 /// A construction that came up with the other kind of probe is not missing.
 bool came_up_otherwise(const Certificate& c, const Stratum& empty) {
@@ -205,7 +205,7 @@ void add_set_gaps(Certificate& c) {
   for (const ProvedSet& s : c.proved) {
     if (!s.complete || s.count.asked != s.size) c.gaps.push_back({s.name, "the set was not run whole", false});
     if (s.count.judged() == 0) {
-      const bool promised = c.contract_has(s.of_rays);
+      const bool promised = c.takes(s.of_rays);
       c.gaps.push_back({s.name, promised ? "the method answered none of it" : outside_contract(c), !promised});
     } else if (s.count.unsupported > 0) {
       const std::string what = s.name + ": " + std::to_string(s.count.unsupported) + " of " + std::to_string(s.size);
@@ -219,7 +219,7 @@ void add_probe_gaps(Certificate& c) {
   if (c.proved.empty()) return;  // what judge writes is about the cases of a file
   for (const bool rays : {false, true}) {
     const char* const name = rays ? "rays" : "segments";
-    if (!c.contract_has(rays)) {
+    if (!c.takes(rays)) {
       c.gaps.push_back({name, outside_contract(c), true});
       continue;
     }
@@ -259,10 +259,6 @@ std::size_t Certificate::sampled_strata() const {
 
 bool Certificate::has_own() const {
   return std::ranges::any_of(streams, [](const SampledStream& s) { return s.is_own(); });
-}
-
-bool Certificate::contract_has(bool rays) const {
-  return plan.at("contract").get<std::string>().find(rays ? "ray" : "segment") != std::string::npos;
 }
 
 Count Certificate::sampled(bool rays) const {

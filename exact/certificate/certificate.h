@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/contract.h"
 #include "exact/harness/coverage.h"
 #include "exact/io/json.h"
 #include "exact/log/chain.h"
@@ -58,9 +59,10 @@ enum class Verdict { not_refuted, refuted, incomplete };
 std::string name_of(Verdict v);
 
 struct Certificate {
-  Json plan;         ///< the record "plan": method, convention, contract, stages, budget, seed
-  Json environment;  ///< the record "environment"
-  Json budget;       ///< the record "budget"; none in what `judge` writes
+  Json plan;          ///< the record "plan": method, terms, stages, budget, seed
+  Contract contract;  ///< the terms
+  Json environment;   ///< the record "environment"
+  Json budget;        ///< the record "budget"; none in what `judge` writes
   std::vector<Stage> stages;
   std::vector<ProvedSet> proved;
   std::vector<SampledStream> streams;
@@ -80,10 +82,11 @@ struct Certificate {
   bool is_own(const Stratum& s) const { return streams[s.stream].is_own(); }
   std::size_t sampled_strata() const;  ///< which share the simultaneous bounds
   bool has_own() const;
-  bool contract_has(bool rays) const;  ///< whether the contract names rays, or segments
-  Count sampled() const;               ///< without one's own cases
-  Count sampled(bool rays) const;      ///< of these, the rays or the segments
-  Count own() const;                   ///< one's own cases
+  /// Whether rays, or segments, are in the method's contract.
+  bool takes(bool rays) const { return rays ? contract.probes.rays : contract.probes.segments; }
+  Count sampled() const;           ///< without one's own cases
+  Count sampled(bool rays) const;  ///< of these, the rays or the segments
+  Count own() const;               ///< one's own cases
 };
 
 /// Fails with Exit::bad_input, naming the line of `path`, if a record is not as it must be.

@@ -10,6 +10,7 @@
 #include "exact/harness/interrupt.h"
 #include "exact/harness/progress.h"
 #include "exact/harness/shrink.h"
+#include "exact/io/contract_json.h"
 #include "exact/io/failure.h"
 #include "exact/log/sample_row.h"
 #include "exact/methods.h"
@@ -153,8 +154,8 @@ std::vector<Truth> truths_of(const std::vector<Case>& cases, const std::string& 
 
 std::vector<Method> calibration_beside(const std::string& method) {
   std::vector<Method> naive;
-  for (const char* name : {"sf-float", "sf-double"}) {
-    if (method != name) naive.push_back(*find_method(name));
+  for (const Method& m : methods_with(Role::calibration)) {
+    if (m.name != method) naive.push_back(m);
   }
   return naive;
 }
@@ -164,10 +165,9 @@ void log_plan(ChainedLog& log, const Method& method, Operands operands, const st
   for (const Stage s : method.stages) stages.push_back(name_of(s));
   const Json plan = {{"record", "plan"},
                      {"method", method.name},
-                     {"number", method.number},
-                     {"reference", method.reference},
-                     {"convention", name_of(method.convention)},
-                     {"contract", method.contract},
+                     {"number", method.card.number},
+                     {"reference", method.card.reference},
+                     {"terms", from_contract(method.contract)},
                      {"stages", stages},
                      {"budget", budget},
                      {"seed", seed}};

@@ -298,6 +298,8 @@ std::string word(const Certificate& c, const char* key) { return c.plan[key]; }
 Json to_json(const Certificate& c) {
   Json object = c.plan;
   object.erase("record");
+  object["convention"] = name_of(c.contract.convention);
+  object["contract"] = in_words(c.contract);
   object["verdict"] = name_of(c.verdict);
   const bool polygons = c.coverage.has(Operands::polygons);
   if (!polygons || c.coverage.has(Operands::triangles)) {
@@ -319,8 +321,8 @@ Json to_json(const Certificate& c) {
 
 std::string to_markdown(const Certificate& c) {
   std::string text = "# " + c.method() + ": " + name_of(c.verdict) + "\n\n";
-  text += "Contract: " + word(c, "contract") + ". Convention: " + word(c, "convention") + ". Budget " +
-          word(c, "budget") + ", seed " + c.plan["seed"].dump() + ". " + coverage_word(c) +
+  text += "Contract: " + in_words(c.contract) + ". Convention: " + std::string(name_of(c.contract.convention)) +
+          ". Budget " + word(c, "budget") + ", seed " + c.plan["seed"].dump() + ". " + coverage_word(c) +
           " judged: " + c.coverage.to_text(c.stages) + ".\n\n";
   if (!c.proved.empty()) text += "## Proved: sets run whole\n\n" + proved_table(c) + "\n";
   if (c.sampled_strata() > 0) text += sampled_section(c);

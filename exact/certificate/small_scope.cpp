@@ -25,9 +25,15 @@ using Part = ScopePart;
 Answer answer_to(const Method& method, const Segment& s, const Triangle& t) { return method.segment(s, t); }
 Answer answer_to(const Method& method, const Ray& r, const Triangle& t) { return method.ray(r, t); }
 
+/// The order of the vertices and the direction of the probe matter to methods that cull, and to no class.
+template <class P>
+Truth seen_from(const Method& method, const P& probe, const Triangle& t, const Truth& truth) {
+  return method.contract.culling == Culling::none ? truth : truth_in_class(truth.class_id, {probe, t});
+}
+
 template <class P>
 void ask(Part& part, const Method& method, const P& probe, const Triangle& t, const Truth& truth) {
-  part.add(method, truth, answer_to(method, probe, t), [&] { return Query{probe, t}; });
+  part.add(method, seen_from(method, probe, t, truth), answer_to(method, probe, t), [&] { return Query{probe, t}; });
 }
 
 std::array<Triangle, 6> orders_of(const Triangle& t) {

@@ -6,6 +6,7 @@
 #include "exact/certificate/owed.h"
 #include "exact/harness/counterexample.h"
 #include "exact/io/case_io.h"
+#include "exact/io/contract_json.h"
 #include "exact/io/files.h"
 #include "exact/methods.h"
 
@@ -18,11 +19,11 @@ void compare(Verification& v, const std::string& path, const std::string& due) {
 
 bool is_counterexample(const Case& c) {
   const auto truth = exact_truth(c.query);
-  const bool transversal = c.finding.value("convention", "") == name_of(Convention::transversal);
-  const bool due = counts_as_hit(truth.contact, transversal ? Convention::transversal : Convention::closed);
-  return mistaken_claim(c, truth).empty() && c.finding.value("expected", -1) == (due ? 1 : 0) &&
+  const Due owed = due(readings_in(c.finding, {"log.jsonl"}), truth);
+  const int expected = owed == Due::hit ? 1 : 0;
+  return mistaken_claim(c, truth).empty() && c.finding.value("expected", -1) == expected &&
          (c.finding.contains("fault") ? !c.finding.contains("answered")
-                                      : c.finding.value("answered", -1) == (due ? 0 : 1)) &&
+                                      : owed != Due::nothing && c.finding.value("answered", -1) == 1 - expected) &&
          c.finding.value("exact", Json()) == exact_evidence(c.query);
 }
 

@@ -18,10 +18,10 @@ Answer answer_to(const Method& method, const Query& query) {
   return classifies ? method.classify(query.probe, query.triangle()) : method.ask(query);
 }
 
-/// `unsupported` where the method promises nothing, which may take the exact answer to tell.
+/// `unsupported` where the method owes nothing, which may take the exact answer to tell.
 Answer owed_answer(const Method& method, const Query& query) {
   const Answer answer = answer_to(method, query);
-  if (promises_all(method, query.operands()) || answer.status != Status::ok) return answer;
+  if (owes_all(method.contract, query.operands()) || answer.status != Status::ok) return answer;
   return within_contract(method, exact_truth(query), answer);
 }
 

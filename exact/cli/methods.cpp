@@ -1,9 +1,12 @@
 #include "exact/methods.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <memory>
 
 #include "exact/cli/command.h"
+#include "exact/io/contract_json.h"
 #include "exact/io/files.h"
 #include "exact/io/json.h"
 
@@ -13,13 +16,13 @@ namespace {
 std::string table() {
   std::string text;
   char line[400];
-  std::snprintf(line, sizeof line, "%-14s %-27s %-41s %-12s %s\n", "method", "number type", "contract", "convention",
+  std::snprintf(line, sizeof line, "%-14s %-27s %-45s %-12s %s\n", "method", "number type", "contract", "convention",
                 "what it does (reference)");
   text += line;
   for (const Method& m : all_methods()) {
-    std::snprintf(line, sizeof line, "%-14s %-27s %-41s %-12s %s (%s)\n", m.name.c_str(), m.number.c_str(),
-                  m.contract.c_str(), std::string(name_of(m.convention)).c_str(), m.summary.c_str(),
-                  m.reference.c_str());
+    std::snprintf(line, sizeof line, "%-14s %-27s %-45s %-12s %s (%s)\n", m.name.c_str(), m.card.number.c_str(),
+                  in_words(m.contract).c_str(), std::string(name_of(m.contract.convention)).c_str(),
+                  m.card.summary.c_str(), m.card.reference.c_str());
     text += line;
   }
   return text +
@@ -27,12 +30,32 @@ std::string table() {
          "miss.\n";
 }
 
+template <class Values>
+Json names_of(const Values& values) {
+  Json names = Json::array();
+  for (const auto v : values) names.push_back(name_of(v));
+  return names;
+}
+
+Json capabilities_of(const Method& m) {
+  std::vector<Capability> held;
+  std::ranges::copy_if(all_capabilities, std::back_inserter(held), [&](Capability c) { return has(m, c); });
+  return names_of(held);
+}
+
 std::string lines() {
   std::string text;
   for (const Method& m : all_methods()) {
-    const Json row = {
-        {"name", m.name},   {"number", m.number},   {"contract", m.contract},  {"convention", name_of(m.convention)},
-        {"exact", m.exact}, {"summary", m.summary}, {"reference", m.reference}};
+    const Json row = {{"name", m.name},
+                      {"number", m.card.number},
+                      {"contract", in_words(m.contract)},
+                      {"convention", name_of(m.contract.convention)},
+                      {"exact", m.contract.exact},
+                      {"summary", m.card.summary},
+                      {"reference", m.card.reference},
+                      {"terms", from_contract(m.contract)},
+                      {"capabilities", capabilities_of(m)},
+                      {"roles", names_of(roles_of(m))}};
     text += row.dump() + "\n";
   }
   return text;

@@ -5,6 +5,7 @@
 #include "exact/filtered/batch.h"
 #include "exact/filtered/filtered.h"
 #include "exact/filtered/filtered_polygon.h"
+#include "exact/filtered/rounded_parameter.h"
 
 namespace tribunal {
 namespace {
@@ -15,24 +16,30 @@ PreparedPolygon prepare(const Polygon& polygon) {
           .ray = [prepared](const Ray& r) { return prepared->meet(r); }};
 }
 
+/// Where the ray hits the triangle in one point of a plane that it crosses.
+std::optional<double> parameter_of(const Ray& r, const Triangle& t) {
+  const Answer answer = intersect(r, t);
+  if (!answer.hit || answer.contact == Contact::coplanar) return std::nullopt;
+  return rounded_parameter(r, t);
+}
+
 }  // namespace
 
 Method sf_filtered() {
   return {
-      .name = "sf-filtered",
-      .number = "binary64, then integers",
-      .contract = "segment, ray; any triangle or polygon",
-      .summary = "five signs by a proved filter; fixed-width integers, then GMP, where it abstains",
-      .reference = "Segura & Feito 1998, 2001; docs/error-bounds.md",
-      .convention = Convention::closed,
-      .format = Format::binary64,
-      .exact = true,
+      .card = {.number = "binary64, then integers",
+               .summary = "five signs by a proved filter; fixed-width integers, then GMP, where it abstains",
+               .reference = "Segura & Feito 1998, 2001; docs/error-bounds.md"},
+      .contract = {.polygons = Polygons::any, .exact = true},
       .stages = {Stage::filter, Stage::expansion, Stage::exact},
+      .tells_contact = true,
+      .on_tree_lanes = true,
       .segment = [](const Segment& s, const Triangle& t) { return intersect(s, t); },
       .ray = [](const Ray& r, const Triangle& t) { return intersect(r, t); },
       .classify = [](const Probe& probe,
                      const Triangle& t) { return std::visit([&](const auto& p) { return classify(p, t); }, probe); },
       .compare_hits = [](const Ray& r, const Triangle& s, const Triangle& t) { return compare_hits(r, s, t); },
+      .parameter = parameter_of,
       .batch = [](std::span<const TrianglePair> pairs, std::span<Answer> answers) { intersect(pairs, answers); },
       .polygon = prepare};
 }

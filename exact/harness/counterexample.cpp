@@ -7,6 +7,7 @@
 #include "exact/harness/environment.h"
 #include "exact/harness/observe.h"
 #include "exact/harness/shrink.h"
+#include "exact/io/contract_json.h"
 #include "exact/io/failure.h"
 #include "exact/methods.h"
 
@@ -33,8 +34,8 @@ Json finding_of(const Case& c, const Method& method, const Truth& truth, const A
   Json finding;
   finding["method"] = method.name;
   finding["answered"] = answer.hit ? 1 : 0;
-  finding["expected"] = counts_as_hit(truth.contact, method.convention) ? 1 : 0;
-  finding["convention"] = name_of(method.convention);
+  finding["expected"] = due(method.contract, truth) == Due::hit ? 1 : 0;
+  add_readings(finding, method.contract);
   finding["exact"] = exact_evidence(c.query);
   finding["answers"] = every_answer(c, truth);
   finding["made_with"] = environment();
@@ -102,7 +103,9 @@ std::string verdict_of(const Method& method, const Case& c, const Truth& truth, 
   wrong |= judgement == Judgement::wrong;
   if (judgement == Judgement::unsupported) return says("not judged: outside its contract");
   if (judgement == Judgement::wrong) return says("WRONG");
-  return says(answer.hit == truth.hit() ? "right" : "right by its convention (coplanar is a miss)");
+  if (answer.hit == truth.hit()) return says("right");
+  return says(truth.contact == Contact::coplanar ? "right by its convention (coplanar is a miss)"
+                                                 : "right by its contract (such a contact is a miss)");
 }
 
 }  // namespace

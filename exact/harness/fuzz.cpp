@@ -7,6 +7,7 @@
 #include "exact/harness/fp_environment.h"
 #include "exact/harness/interrupt.h"
 #include "exact/harness/parallel.h"
+#include "exact/harness/prepared.h"
 #include "exact/harness/progress.h"
 #include "exact/io/case_io.h"
 #include "exact/io/failure.h"
@@ -70,8 +71,9 @@ void ask_all(const Method& method, Operands operands, const std::vector<Query>& 
   method.batch(pairs, answers);
 }
 
-/// What a batch form must never do. Checked where it is wrong, and on every sixteenth case.
+/// What a batch or a prepared form must never do. Checked where it is wrong, and on every sixteenth case.
 void require_same_by_ask(const Method& method, const Query& query, const Answer& by_batch) {
+  require_same_when_prepared(method, query);
   if (!has_batch(method, query.operands())) return;
   const Answer by_ask = method.ask(query);
   if (by_ask.status == by_batch.status && by_ask.hit == by_batch.hit) return;

@@ -1,25 +1,62 @@
 #include "exact/harness/judge.h"
 
-namespace tribunal {
+#include "exact/classes/class_table.h"
 
-bool promises(const Method& method, const Truth& truth) {
-  if (truth.operands() == Operands::triangles) return true;
-  const PolygonPromise& promise = method.polygon_promise;
-  return (truth.planar || promise.surface) && (!truth.boundary || promise.boundary);
+namespace tribunal {
+namespace {
+
+/// What a class says of a case beside its contact.
+Facts facts_in(const ClassRow& row) {
+  Facts f{.of_ray = is_ray_class(row.id), .contact = row.contact()};
+  f.degenerate = row.triangle != "tri" || row.probe == "pt";
+  f.boundary = row.touches.find("/E") != std::string::npos || row.touches.find("/V") != std::string::npos;
+  if (row.intersection == "point") f.at = row.touches.starts_with("int") ? At::between : At::source;
+  return f;
 }
 
-bool promises_all(const Method& method, Operands operands) {
-  return operands == Operands::triangles || (method.polygon_promise.boundary && method.polygon_promise.surface);
+std::array<Facts, all_class_count + 1> facts_of_classes() {
+  std::array<Facts, all_class_count + 1> facts{};
+  for (ClassId id = 1; id <= all_class_count; ++id) facts[id] = facts_in(class_row(id));
+  return facts;
+}
+
+Facts facts_of_triangle(const Truth& truth) {
+  static const auto by_class = facts_of_classes();
+  Facts facts = by_class[truth.class_id];
+  facts.facing = truth.facing;
+  return facts;
+}
+
+}  // namespace
+
+Facts facts_of(const Truth& truth) {
+  if (truth.operands() == Operands::triangles) return facts_of_triangle(truth);
+  return {.of_ray = truth.of_ray,
+          .of_polygon = true,
+          .planar = truth.planar,
+          .contact = truth.contact,
+          .boundary = truth.boundary,
+          .at = truth.at};
+}
+
+Due due(const Contract& contract, const Truth& truth) { return due(contract, facts_of(truth)); }
+
+bool owes_all(const Contract& c, Operands operands) {
+  if (operands == Operands::polygons) return promises_all_polygons(c);
+  return reads_point_sets(c) && c.triangles != Triangles::none;
 }
 
 Answer within_contract(const Method& method, const Truth& truth, const Answer& answer) {
-  return answer.status != Status::ok || promises(method, truth) ? answer : refusal(Status::unsupported);
+  if (answer.status != Status::ok || due(method.contract, truth) != Due::nothing) return answer;
+  return refusal(Status::unsupported);
 }
 
 Judgement judge(const Method& method, const Truth& truth, const Answer& answer) {
-  if (within_contract(method, truth, answer).status != Status::ok) return Judgement::unsupported;
-  if (method.exact && answer.planar != truth.planar) return Judgement::wrong;
-  return answer.hit == counts_as_hit(truth.contact, method.convention) ? Judgement::right : Judgement::wrong;
+  if (answer.status != Status::ok) return Judgement::unsupported;
+  const Due owed = due(method.contract, truth);
+  if (owed == Due::nothing) return Judgement::unsupported;
+  if (method.contract.exact && answer.planar != truth.planar) return Judgement::wrong;
+  return judge(owed, answer.hit);
 }
 
 }  // namespace tribunal

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "core/due.h"
 #include "core/method.h"
 #include "exact/harness/truth.h"
 
@@ -10,21 +11,32 @@ namespace tribunal {
 
 enum class Judgement : std::uint8_t { right, wrong, unsupported };
 
-/// Whether the method promises an answer to a case with this exact answer; and to all cases with these operands.
-bool promises(const Method& method, const Truth& truth);
-bool promises_all(const Method& method, Operands operands);
+/// What contracts can turn on in a case with this exact answer.
+Facts facts_of(const Truth& truth);
 
-/// The answer, or `unsupported` where the method promises none: an inexact method cannot tell by itself whether a
-/// polygon is planar, or a probe meets its boundary.
+/// What the contract owes to a case with this exact answer.
+Due due(const Contract& contract, const Truth& truth);
+
+/// Holds a hit or a miss against what is owed.
+constexpr Judgement judge(Due owed, bool hit) {
+  if (owed == Due::nothing) return Judgement::unsupported;
+  return hit == (owed == Due::hit) ? Judgement::right : Judgement::wrong;
+}
+
+/// Whether the contract owes an answer to every case with these operands that the method does not refuse by itself.
+bool owes_all(const Contract& contract, Operands operands);
+
+/// The answer, or `unsupported` where the contract owes none: most methods cannot tell by themselves whether the probe
+/// meets a boundary, or a polygon is planar.
 Answer within_contract(const Method& method, const Truth& truth, const Answer& answer);
 
-/// By the method's own convention and promise: coplanar contacts are misses to a transversal method; probes that meet a
-/// ring edge and polygons that are not planar are not judged where the method promises nothing of them.
+/// Judged by the method's own contract: coplanar contacts are misses to a transversal method, faces seen from behind to
+/// one that culls them; where the contract owes nothing, the answer is not judged.
 Judgement judge(const Method& method, const Truth& truth, const Answer& answer);
 
 /// A binary32 method is on trial only where its operands are exact in binary32.
-constexpr bool takes(const Method& method, Format format) {
-  return method.format == Format::binary64 || format == Format::binary32;
+inline bool takes(const Method& method, Format format) {
+  return method.contract.format == Format::binary64 || format == Format::binary32;
 }
 
 /// Cases asked, of these answered wrongly, of these outside the contract; and the stage of each answer.

@@ -154,10 +154,8 @@ std::vector<AnswerSheet> read_answers(const std::string& path, const Exam& exam)
 Method method_of(const AnswerSheet& sheet, Convention convention) {
   Method method{};
   method.name = sheet.method;
-  method.number = "unknown";
-  method.contract = "answers computed elsewhere";
-  method.convention = convention;
-  method.format = Format::binary64;
+  method.card = {.number = "unknown", .summary = "answers computed elsewhere", .reference = ""};
+  method.contract = {.polygons = Polygons::any, .convention = convention};
   return method;
 }
 

@@ -39,8 +39,11 @@ Truth truth_for(const P& probe, const Query& query) {
     contradiction(query, "the reference says " + std::string(name_of(prepared.contact)),
                   std::string("Caratheodory that ") + (v.boundary ? "a" : "no") + " ring edge is met");
   }
-  return {
-      .contact = prepared.contact, .planar = prepared.planar, .boundary = v.boundary, .of_ray = std::is_same_v<P, Ray>};
+  return {.contact = prepared.contact,
+          .planar = prepared.planar,
+          .boundary = v.boundary,
+          .of_ray = std::is_same_v<P, Ray>,
+          .at = prepared.at};
 }
 
 }  // namespace

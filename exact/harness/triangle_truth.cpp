@@ -3,6 +3,7 @@
 #include "exact/classes/class_table.h"
 #include "exact/harness/truth_rules.h"
 #include "exact/kernels/integers.h"
+#include "exact/kernels/rational_kernel.h"
 #include "exact/methods.h"
 #include "exact/oracles/caratheodory.h"
 
@@ -18,7 +19,10 @@ Truth truth_by_reference(const Query& query) {
   const Method& reference = reference_method();
   const Answer answer = reference.classify(query.probe, query.triangle());
   if (answer.class_id == 0) contradiction(query, "the reference's signs are in no class", "five elements always are");
-  const Truth truth = truth_of_class(answer.class_id);
+  const Truth truth = truth_in_class(answer.class_id, query);
+  if (truth.facing != facing_in(truth.contact, query, RationalKernel{})) {
+    contradiction(query, "the rational kernel", "EPICK has the triangle's other side");
+  }
   if (truth.contact != answer.contact) {
     contradiction(query, "class " + class_name(truth.class_id) + " says " + std::string(name_of(truth.contact)),
                   "the reference says " + std::string(name_of(answer.contact)));
@@ -36,12 +40,12 @@ bool meets_by_caratheodory(const Query& query) {
 }  // namespace
 
 Truth exact_truth_of_triangle(const Query& query) {
-  static const Method& cgal = *find_method("cgal-epick");
+  static const Method& second = method_with(Role::second_opinion);
   const Truth truth = truth_by_reference(query);
   const bool meets = meets_by_caratheodory(query);
   if (meets != truth.hit()) contradiction(query, truth, "Caratheodory", meets);
-  const Answer by_cgal = cgal.ask(query);
-  if (by_cgal.status == Status::ok && by_cgal.hit != truth.hit()) contradiction(query, truth, "CGAL", by_cgal.hit);
+  const Answer opinion = second.ask(query);
+  if (opinion.status == Status::ok && opinion.hit != truth.hit()) contradiction(query, truth, second.name, opinion.hit);
   return truth;
 }
 

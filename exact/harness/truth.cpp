@@ -4,6 +4,7 @@
 #include "exact/harness/truth_rules.h"
 #include "exact/io/case_io.h"
 #include "exact/io/failure.h"
+#include "exact/kernels/cgal_kernels.h"
 
 namespace tribunal {
 namespace {
@@ -39,12 +40,18 @@ Truth truth_of_class(ClassId id) {
   return {.class_id = id, .contact = class_row(id).contact(), .of_ray = is_ray_class(id)};
 }
 
+Truth truth_in_class(ClassId id, const Query& query) {
+  Truth truth = truth_of_class(id);
+  truth.facing = facing_in(truth.contact, query, EpickKernel{});
+  return truth;
+}
+
 Truth exact_truth(const Query& query) {
   return query.operands() == Operands::triangles ? exact_truth_of_triangle(query) : exact_truth_of_polygon(query);
 }
 
 Truth truth_of(const Trial& trial, std::uint64_t k) {
-  if (trial.class_id != 0 && k % 257 != 0) return truth_of_class(trial.class_id);
+  if (trial.class_id != 0 && k % 257 != 0) return truth_in_class(trial.class_id, trial.query);
   const Truth truth = exact_truth(trial.query);
   require_fit(trial, truth);
   return truth;

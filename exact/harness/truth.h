@@ -1,6 +1,7 @@
 // The exact answer to a case.
 #pragma once
 
+#include "core/due.h"
 #include "exact/families/family.h"
 
 namespace tribunal {
@@ -13,12 +14,17 @@ struct Truth {
   bool boundary = false;  ///< a ring edge of the polygon is met: where the contact is edge or vertex, and perhaps where
                           ///< it is coplanar
   bool of_ray = false;    ///< the probe is a ray, else a segment
+  Facing facing = Facing::unsaid;  ///< known wherever the probe crosses a triangle
+  At at = At::unsaid;              ///< of a polygon: which part of the probe is in contact, where the reference says so
 
   bool hit() const { return contact != Contact::none; }
   Operands operands() const { return class_id != 0 ? Operands::triangles : Operands::polygons; }
 };
 
-/// The truth of a case of this class.
+/// The truth of a query of this class: what the class does not say is asked of CGAL's EPICK.
+Truth truth_in_class(ClassId id, const Query& query);
+
+/// The same without `facing`, which only methods that cull turn on.
 Truth truth_of_class(ClassId id);
 
 /// The exact answer by ways that must agree. Fails with Exit::oracles_contradict and both witnesses where two differ;

@@ -2,10 +2,19 @@
 #pragma once
 
 #include <string>
+#include <variant>
 
+#include "core/due.h"
 #include "exact/harness/truth.h"
 
 namespace tribunal {
+
+/// From which side the probe crosses the triangle, where the contact says that it crosses.
+template <Kernel K>
+Facing facing_in(Contact contact, const Query& query, const K& k) {
+  if (contact == Contact::none || contact == Contact::coplanar) return Facing::unsaid;
+  return std::visit([&](const auto& probe) { return facing(probe, query.triangle(), k); }, query.probe);
+}
 
 /// The target must be a triangle.
 Truth exact_truth_of_triangle(const Query& query);

@@ -204,7 +204,7 @@ Json from_answer(const Case& c, const Method& method, const Answer& answer) {
   if (answered && answer.contact != Contact::unsaid) object["contact"] = name_of(answer.contact);
   if (answer.at != At::unsaid) object["at"] = name_of(answer.at);
   if (answer.stage != Stage::none) object["stage"] = name_of(answer.stage);
-  const bool tells_planar = c.query.operands() == Operands::polygons && method.polygon_promise.surface;
+  const bool tells_planar = c.query.operands() == Operands::polygons && method.contract.polygons == Polygons::any;
   if (answered && tells_planar) object["planar"] = answer.planar;
   return object;
 }

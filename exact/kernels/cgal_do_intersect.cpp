@@ -38,34 +38,22 @@ Answer ask_ray(const Ray& r, const Triangle& t) {
 
 Answer no_rays(const Ray&, const Triangle&) { return refusal(Status::unsupported); }
 
-Method peer(const char* name, const char* number, const char* contract, const char* summary) {
-  return {.name = name,
-          .number = number,
-          .contract = contract,
-          .summary = summary,
-          .reference = "CGAL 5.5, 2D and 3D Linear Geometry Kernel",
-          .convention = Convention::closed,
-          .format = Format::binary64,
-          .exact = true,
-          .segment = {},
-          .ray = {},
-          .classify = {},
-          .compare_hits = {}};
+Method peer(const char* number, const char* summary, bool takes_rays) {
+  return {.card = {.number = number, .summary = summary, .reference = "CGAL 5.5, 2D and 3D Linear Geometry Kernel"},
+          .contract = {.probes = {.rays = takes_rays}, .triangles = Triangles::proper, .exact = true}};
 }
 
 }  // namespace
 
 Method cgal_epick() {
-  Method m = peer("cgal-epick", "CGAL filtered predicates", "segment; no degenerate operand",
-                  "CGAL's do_intersect on EPICK, within its preconditions");
+  Method m = peer("CGAL filtered predicates", "CGAL's do_intersect on EPICK, within its preconditions", false);
   m.segment = ask_segment<CGAL::Exact_predicates_inexact_constructions_kernel>;
   m.ray = no_rays;
   return m;
 }
 
 Method cgal_epeck() {
-  Method m = peer("cgal-epeck", "CGAL lazy exact numbers", "segment, ray; no degenerate operand",
-                  "CGAL's do_intersect on EPECK, within its preconditions");
+  Method m = peer("CGAL lazy exact numbers", "CGAL's do_intersect on EPECK, within its preconditions", true);
   m.segment = ask_segment<CGAL::Exact_predicates_exact_constructions_kernel>;
   m.ray = ask_ray<CGAL::Exact_predicates_exact_constructions_kernel>;
   return m;

@@ -62,8 +62,7 @@ Sign EpeckKernel::compare_hits(const Ray& r, const Triangle& s, const Triangle& 
   return ours(CGAL::sign(difference)) * ours(CGAL::sign(f.den)) * ours(CGAL::sign(g.den));
 }
 Method sf_epeck() {
-  return segura_feito_method({.name = "sf-epeck",
-                              .number = "CGAL lazy exact numbers",
+  return segura_feito_method({.number = "CGAL lazy exact numbers",
                               .summary = "five signs by CGAL's EPECK: lazy exact arithmetic",
                               .format = Format::binary64,
                               .exact = true},

@@ -110,8 +110,7 @@ Sign EpickKernel::compare_hits(const Ray& r, const Triangle& s, const Triangle& 
   return ours(Filtered<OrderOfHits>()(cgal(r.o), cgal(r.d), cgal(s), cgal(t)));
 }
 Method sf_epick() {
-  return segura_feito_method({.name = "sf-epick",
-                              .number = "CGAL filtered predicates",
+  return segura_feito_method({.number = "CGAL filtered predicates",
                               .summary = "five signs by CGAL's EPICK: intervals first, exact rationals if needed",
                               .format = Format::binary64,
                               .exact = true},

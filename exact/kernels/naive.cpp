@@ -6,26 +6,19 @@
 namespace tribunal {
 
 Method sf_float() {
-  return segura_feito_method({.name = "sf-float",
-                              .number = "binary32",
-                              .summary = "five signs in single precision",
-                              .format = Format::binary32,
-                              .exact = false},
-                             FormulaKernel<float>{});
+  return segura_feito_method(
+      {.number = "binary32", .summary = "five signs in single precision", .format = Format::binary32, .exact = false},
+      FormulaKernel<float>{});
 }
 
 Method sf_double() {
-  return segura_feito_method({.name = "sf-double",
-                              .number = "binary64",
-                              .summary = "five signs in double precision",
-                              .format = Format::binary64,
-                              .exact = false},
-                             FormulaKernel<double>{});
+  return segura_feito_method(
+      {.number = "binary64", .summary = "five signs in double precision", .format = Format::binary64, .exact = false},
+      FormulaKernel<double>{});
 }
 
 Method sf_double_eps() {
-  return segura_feito_method({.name = "sf-double-eps",
-                              .number = "binary64, tolerance 1e-12",
+  return segura_feito_method({.number = "binary64, tolerance 1e-12",
                               .summary = "five signs in double precision, small volumes called zero",
                               .format = Format::binary64,
                               .exact = false},

@@ -28,8 +28,7 @@ Answer over_exact_numbers(const P& probe, const Triangle& t, const F& decide) {
 }  // namespace
 
 Method sf_rational() {
-  Method m = segura_feito_method({.name = "sf-rational",
-                                  .number = "GMP dyadic rationals",
+  Method m = segura_feito_method({.number = "GMP dyadic rationals",
                                   .summary = "five exact signs; the reference that judges the others",
                                   .format = Format::binary64,
                                   .exact = true},

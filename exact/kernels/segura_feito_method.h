@@ -9,7 +9,6 @@ namespace tribunal {
 
 /// What tells one sf-* method from another.
 struct KernelDescription {
-  const char* name;
   const char* number;
   const char* summary;
   Format format;
@@ -43,14 +42,9 @@ PreparedPolygon prepare(const Polygon& polygon, const K& k) {
 
 template <Kernel K>
 Method segura_feito_method(const KernelDescription& d, const K& k) {
-  return {.name = d.name,
-          .number = d.number,
-          .contract = "segment, ray; any triangle or polygon",
-          .summary = d.summary,
-          .reference = "Segura & Feito 1998, 2001",
-          .convention = Convention::closed,
-          .format = d.format,
-          .exact = d.exact,
+  return {.card = {.number = d.number, .summary = d.summary, .reference = "Segura & Feito 1998, 2001"},
+          .contract = {.polygons = Polygons::any, .format = d.format, .exact = d.exact},
+          .tells_contact = true,
           .segment = [k](const Segment& s, const Triangle& t) { return segura_feito(s, t, k); },
           .ray = [k](const Ray& r, const Triangle& t) { return segura_feito(r, t, k); },
           .classify =

@@ -69,7 +69,7 @@ std::string load_plugin(const std::string& file) {
   if (find_method(name) != nullptr) {
     throw Failure(Exit::usage, file + ": there is a method called " + name + " already, expected a name of its own");
   }
-  method.reference += "; library sha256 " + sha256(read_file(file));
+  method.card.reference += "; library sha256 " + sha256(read_file(file));
   add_method(std::move(method));
   return name;
 }

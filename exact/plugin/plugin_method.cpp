@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -10,88 +9,13 @@
 #include "exact/harness/fp_environment.h"
 #include "exact/io/case_io.h"
 #include "exact/io/failure.h"
-#include "exact/io/json.h"
 #include "exact/kernels/dyadic.h"
 #include "exact/oracles/polygon_oracles.h"
+#include "exact/plugin/description.h"
 #include "exact/plugin/load.h"
 
 namespace tribunal {
 namespace {
-
-constexpr std::size_t longest_name = 32, longest_text = 100;
-
-// --- the description, checked -----------------------------------------------------------------------------------
-
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-
-bool fits_a_name(char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '.' || c == '_' || c == '-'; }
-
-bool is_name(const std::string& s) {
-  return !s.empty() && s.size() <= longest_name && is_letter(s[0]) && std::all_of(s.begin(), s.end(), fits_a_name);
-}
-
-/// Reports are made of these lines: no control characters, and UTF-8, which JSON insists on.
-bool is_text(const std::string& s) {
-  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
-  if (s.empty() || s.size() > longest_text || std::any_of(s.begin(), s.end(), is_control)) return false;
-  try {
-    return !Json(s).dump().empty();
-  } catch (const nlohmann::json::exception&) {
-    return false;
-  }
-}
-
-/// No more than a little beyond the longest text is read: the string may not end.
-std::string string_from(const char* s, const char* what, const std::string& file) {
-  if (s == nullptr) throw bad_input(file, 0, std::string(what) + " is NULL, expected a string");
-  return std::string(s, strnlen(s, longest_text + 1));
-}
-
-std::string name_from(const char* s, const std::string& file) {
-  const std::string name = string_from(s, "name", file);
-  if (is_name(name)) return name;
-  throw bad_input(file, 0,
-                  "name is " + Json(name).dump(-1, ' ', true, Json::error_handler_t::replace) +
-                      ", expected 1 to 32 of a-z A-Z 0-9 . _ -, a letter first");
-}
-
-std::string text_from(const char* s, const char* what, const std::string& file) {
-  const std::string text = string_from(s, what, file);
-  if (is_text(text)) return text;
-  throw bad_input(file, 0,
-                  std::string(what) + ": expected one line of UTF-8, 1 to " + std::to_string(longest_text) + " bytes");
-}
-
-Format format_from(int format, const std::string& file) {
-  if (format == TRIBUNAL_BINARY32) return Format::binary32;
-  if (format == TRIBUNAL_BINARY64) return Format::binary64;
-  throw bad_input(file, 0, "format is " + std::to_string(format) + ", expected TRIBUNAL_BINARY32 or TRIBUNAL_BINARY64");
-}
-
-Convention convention_from(int convention, const std::string& file) {
-  if (convention == TRIBUNAL_CLOSED) return Convention::closed;
-  if (convention == TRIBUNAL_TRANSVERSAL) return Convention::transversal;
-  throw bad_input(file, 0,
-                  "convention is " + std::to_string(convention) + ", expected TRIBUNAL_CLOSED or TRIBUNAL_TRANSVERSAL");
-}
-
-void require_abi(int abi, const std::string& file) {
-  if (abi == TRIBUNAL_PLUGIN_ABI) return;
-  throw bad_input(file, 0,
-                  "is made for version " + std::to_string(abi) + " of tribunal_plugin.h, expected " +
-                      std::to_string(TRIBUNAL_PLUGIN_ABI));
-}
-
-PolygonPromise promise_from(int restrictions, const std::string& file) {
-  constexpr int all = TRIBUNAL_PLANAR_ONLY | TRIBUNAL_NO_BOUNDARY;
-  if ((restrictions & ~all) != 0) {
-    throw bad_input(file, 0,
-                    "restrictions is " + std::to_string(restrictions) +
-                        ", expected 0 or a sum of TRIBUNAL_PLANAR_ONLY and TRIBUNAL_NO_BOUNDARY");
-  }
-  return {.boundary = (restrictions & TRIBUNAL_NO_BOUNDARY) == 0,
-          .surface = (restrictions & TRIBUNAL_PLANAR_ONLY) == 0};
-}
 
 // --- queries and answers across the interface ---------------------------------------------------------------------
 
@@ -134,6 +58,38 @@ struct Line {
         file, 0, "answered " + std::to_string(said) + ", expected TRIBUNAL_MISS, TRIBUNAL_HIT or TRIBUNAL_UNSUPPORTED");
   }
 
+  /// The same of a hit of which more is told.
+  Answer answer_from(int said, const tribunal_hit& hit) const {
+    constexpr std::array contacts = {Contact::unsaid, Contact::interior, Contact::edge, Contact::vertex,
+                                     Contact::coplanar};
+    Answer answer = answer_from(said);
+    if (!answer.hit) return answer;
+    if (hit.contact < 0 || hit.contact >= static_cast<int>(contacts.size())) {
+      throw bad_input(file, 0,
+                      "told contact " + std::to_string(hit.contact) + ", expected one of TRIBUNAL_CONTACT_...");
+    }
+    answer.contact = contacts[static_cast<std::size_t>(hit.contact)];
+    return answer;
+  }
+
+  /// What `ask` returns. What it throws, against the plugin's promise, is a fault that names the case.
+  template <class P, class Ask>
+  int call(const P& probe, const Triangle& t, const Ask& ask) const {
+    std::string what = "an exception of its own";
+    try {
+      const int said = ask();
+      require_same_environment();
+      return said;
+    } catch (const Failure&) {
+      throw;
+    } catch (const std::exception& error) {
+      what = error.what();
+    } catch (...) {
+    }
+    const Case thrown{.id = "threw", .query = {probe, t}};
+    throw MethodFault({FaultKind::threw, what}, file + ": threw " + what + ", on " + from_case(thrown).dump());
+  }
+
   void require_same_environment() const {
     if (has_exact_rounding()) return;
     require_exact_rounding();  // for what remains to be done: CGAL aborts at exit if it finds another mode
@@ -145,16 +101,27 @@ struct Line {
 class Caller {
  public:
   Caller(const tribunal_plugin& plugin, Line line)
-      : ask_(plugin.ask), ask_batch_(plugin.ask_batch), line_(std::move(line)) {}
+      : ask_(plugin.ask),
+        tell_(plugin.tell),
+        ask_batch_(plugin.ask_batch),
+        tells_contact_(plugin.tells_contact != 0),
+        line_(std::move(line)) {}
 
   template <class P>
   Answer ask(const P& probe, const Triangle& t) const {
     if (ask_ == nullptr) return refusal(Status::unsupported);
     const Coordinates x = coordinates_of(probe, t, line_.format);
     if (!is_finite(x)) return refusal(Status::unsupported);
-    const int said = call(probe, t, x);
-    line_.require_same_environment();
-    return line_.answer_from(said);
+    if (tells_contact_) return tell(probe, t, x).answer;
+    return line_.answer_from(line_.call(probe, t, [&] { return ask_(kind_of(probe), x.data()); }));
+  }
+
+  /// The parameter of the hit, if it is told.
+  std::optional<double> parameter(const Ray& ray, const Triangle& t) const {
+    const Coordinates x = coordinates_of(ray, t, line_.format);
+    if (!is_finite(x)) return std::nullopt;
+    const auto [answer, hit] = tell(ray, t, x);
+    return answer.hit && hit.has_t != 0 ? std::optional<double>(hit.t) : std::nullopt;
   }
 
   void ask_all(std::span<const TrianglePair> pairs, std::span<Answer> answers) const {
@@ -162,18 +129,16 @@ class Caller {
   }
 
  private:
-  /// The plugin's answer. What it throws, against its promise, is a fault that names the case.
+  struct Told {
+    Answer answer;
+    tribunal_hit hit;
+  };
+
   template <class P>
-  int call(const P& probe, const Triangle& t, const Coordinates& x) const {
-    std::string what = "an exception of its own";
-    try {
-      return ask_(kind_of(probe), x.data());
-    } catch (const std::exception& error) {
-      what = error.what();
-    } catch (...) {
-    }
-    const Case thrown{.id = "threw", .query = {probe, t}};
-    throw MethodFault({FaultKind::threw, what}, line_.file + ": threw " + what + ", on " + from_case(thrown).dump());
+  Told tell(const P& probe, const Triangle& t, const Coordinates& x) const {
+    tribunal_hit hit{};
+    const int said = line_.call(probe, t, [&] { return tell_(kind_of(probe), x.data(), &hit); });
+    return {line_.answer_from(said, hit), hit};
   }
 
   /// One call for all pairs whose probe is of the kind.
@@ -198,8 +163,47 @@ class Caller {
   }
 
   tribunal_ask* ask_;
+  tribunal_tell* tell_;
   tribunal_ask_batch* ask_batch_;
+  bool tells_contact_;
   Line line_;
+};
+
+/// A triangle that its plugin has prepared; released when the last who asks is gone.
+class PreparedCaller {
+ public:
+  PreparedCaller(const tribunal_plugin& plugin, const Triangle& t, Line line)
+      : t_(t), ask_(plugin.ask_prepared), line_(std::move(line)) {
+    std::vector<double> x;
+    for (const Point3& v : {t.a, t.b, t.c}) add(x, v);
+    if (!is_finite(x)) return;
+    void* const made = plugin.prepare(x.data());
+    line_.require_same_environment();
+    if (made == nullptr) throw Failure(Exit::resources, line_.file + ": prepare returned NULL");
+    const auto release = plugin.release;
+    prepared_ = std::shared_ptr<void>(made, [release](void* p) {
+      if (release != nullptr) release(p);
+    });
+  }
+
+  template <class P>
+  Answer ask(const P& probe) const {
+    std::vector<double> x;
+    add(x, source(probe));
+    add(x, coordinates(target(probe)));
+    if (prepared_ == nullptr || !is_finite(x)) return refusal(Status::unsupported);
+    return line_.answer_from(line_.call(probe, t_, [&] { return ask_(prepared_.get(), kind_of(probe), x.data()); }));
+  }
+
+ private:
+  void add(std::vector<double>& x, const Point3& point) const {
+    for (int axis = 0; axis < 3; ++axis) x.push_back(in_format(point[axis], line_.format));
+  }
+
+  Triangle t_;
+  tribunal_ask_prepared* ask_;
+  Line line_;
+  std::shared_ptr<void> prepared_{};  ///< null where the triangle is beyond the format
 };
 
 /// A polygon as its plugin sees it.
@@ -240,9 +244,9 @@ class PolygonCaller {
 };
 
 void add_polygons(Method& method, const tribunal_polygon_plugin& polygons, const Line& line) {
-  require_abi(polygons.abi, line.file);
+  require_version(polygons.abi, line.file);
   if (polygons.ask == nullptr) throw bad_input(line.file, 0, "ask of polygons is NULL, expected a function");
-  method.polygon_promise = promise_from(polygons.restrictions, line.file);
+  read_restrictions(method.contract, polygons, line.file);
   method.polygon = [ask = polygons.ask, line](const Polygon& polygon) -> PreparedPolygon {
     const auto caller = std::make_shared<const PolygonCaller>(polygon, ask, line);
     return {.segment = [caller](const Segment& s) { return caller->ask(s); },
@@ -250,34 +254,38 @@ void add_polygons(Method& method, const tribunal_polygon_plugin& polygons, const
   };
 }
 
-static_assert(sizeof(Coordinates) == 15 * sizeof(double), "a batch is a plain array of coordinates");
-
-}  // namespace
-
-Method plugin_method(const tribunal_plugin& plugin, const std::string& file, const tribunal_polygon_plugin* polygons) {
-  require_abi(plugin.abi, file);
-  const Format format = format_from(plugin.format, file);
-  Method method{.name = name_from(plugin.name, file),
-                .number = std::string(name_of(format)),
-                .contract = text_from(plugin.contract, "contract", file),
-                .summary = text_from(plugin.summary, "summary", file),
-                .reference = plugin.reference != nullptr ? text_from(plugin.reference, "reference", file) : "plugin",
-                .convention = convention_from(plugin.convention, file),
-                .format = format,
-                .segment = {},
-                .ray = {},
-                .classify = {},
-                .compare_hits = {}};
-  if (plugin.ask == nullptr && polygons == nullptr) throw bad_input(file, 0, "ask is NULL, expected a function");
-  if (polygons != nullptr) add_polygons(method, *polygons, {format, file});
-  const Caller caller(plugin, {format, file});
+void add_triangles(Method& method, const tribunal_plugin& plugin, const Line& line) {
+  const Caller caller(plugin, line);
   method.segment = [caller](const Segment& s, const Triangle& t) { return caller.ask(s, t); };
   method.ray = [caller](const Ray& r, const Triangle& t) { return caller.ask(r, t); };
-  if (plugin.ask != nullptr && plugin.ask_batch != nullptr) {
+  if (plugin.ask == nullptr) return;
+  if (plugin.ask_batch != nullptr) {
     method.batch = [caller](std::span<const TrianglePair> pairs, std::span<Answer> answers) {
       caller.ask_all(pairs, answers);
     };
   }
+  if (plugin.tells_t != 0)
+    method.parameter = [caller](const Ray& r, const Triangle& t) { return caller.parameter(r, t); };
+  if (plugin.prepare != nullptr) {
+    method.prepare_triangle = [plugin, line](const Triangle& t) -> PreparedTriangle {
+      const auto prepared = std::make_shared<const PreparedCaller>(plugin, t, line);
+      return {.segment = [prepared](const Segment& s) { return prepared->ask(s); },
+              .ray = [prepared](const Ray& r) { return prepared->ask(r); }};
+    };
+  }
+}
+
+static_assert(sizeof(Coordinates) == 15 * sizeof(double), "a batch is a plain array of coordinates");
+
+}  // namespace
+
+Method plugin_method(const tribunal_plugin& given, const std::string& file, const tribunal_polygon_plugin* polygons) {
+  const tribunal_plugin plugin = in_this_version(given, file);
+  Method method = described(plugin, file);
+  const Line line{method.contract.format, file};
+  if (plugin.ask == nullptr && polygons == nullptr) throw bad_input(file, 0, "ask is NULL, expected a function");
+  if (polygons != nullptr) add_polygons(method, *polygons, line);
+  add_triangles(method, plugin, line);
   return method;
 }
 

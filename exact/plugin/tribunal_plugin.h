@@ -23,8 +23,9 @@
 extern "C" {
 #endif
 
-/* Version of this interface; grows when it changes. A library built for another version is refused. */
-#define TRIBUNAL_PLUGIN_ABI 1
+/* Version of this interface; grows when it changes. Libraries built for version 1 are loaded: what version 2 added
+ * comes last in tribunal_plugin, and zero there means what version 1 meant. Any other version is refused. */
+#define TRIBUNAL_PLUGIN_ABI 2
 
 /* The probe that a query holds. */
 enum {
@@ -38,10 +39,41 @@ enum { TRIBUNAL_MISS = 0, TRIBUNAL_HIT = 1, TRIBUNAL_UNSUPPORTED = 2 };
 /* The format that the test computes in. A binary32 test is judged on cases that are exact in binary32 only. */
 enum { TRIBUNAL_BINARY32 = 32, TRIBUNAL_BINARY64 = 64 };
 
-/* What the test promises. CLOSED: a hit where the closed point sets meet. TRANSVERSAL: the same, but a probe in the
- * triangle's plane is a miss (and so is any probe against a triangle without area, and a point in its plane).
- * It is judged by what it promises. */
-enum { TRIBUNAL_CLOSED = 0, TRIBUNAL_TRANSVERSAL = 1 };
+/* What the test promises of coplanar contacts. CLOSED: a hit where the closed point sets meet. TRANSVERSAL: the same,
+ * but a probe in the triangle's plane is a miss (and so is any probe against a triangle without area, and a point in
+ * its plane). COPLANAR_UNSPECIFIED (version 2): nothing. It is judged by what it promises, and not where it promises
+ * nothing. */
+enum { TRIBUNAL_CLOSED = 0, TRIBUNAL_TRANSVERSAL = 1, TRIBUNAL_COPLANAR_UNSPECIFIED = 2 };
+
+/* Which operands the test takes (version 2); a sum of these. A test that takes rays alone says NO_SEGMENTS.
+ * NO_DEGENERATE: no triangle without area, and no probe that is a point. */
+enum { TRIBUNAL_NO_SEGMENTS = 1, TRIBUNAL_NO_RAYS = 2, TRIBUNAL_NO_DEGENERATE = 4 };
+
+/* What the test makes of a probe that crosses the triangle's plane on its boundary (version 2). CLOSED: a hit. OPEN: a
+ * miss. HALF_OPEN: of faces that share an edge or a vertex exactly one is hit, so nothing is promised of one triangle.
+ * UNSPECIFIED: nothing. */
+enum {
+  TRIBUNAL_BOUNDARY_CLOSED = 0,
+  TRIBUNAL_BOUNDARY_OPEN = 1,
+  TRIBUNAL_BOUNDARY_HALF_OPEN = 2,
+  TRIBUNAL_BOUNDARY_UNSPECIFIED = 3
+};
+
+/* What the test makes of a contact by an end of the probe alone, t = 0, or t = 1 of a segment (version 2). */
+enum { TRIBUNAL_ENDS_CLOSED = 0, TRIBUNAL_ENDS_OPEN = 1, TRIBUNAL_ENDS_UNSPECIFIED = 2 };
+
+/* Which faces the test misses on purpose (version 2). BACK_FACES: triangles whose vertices run clockwise as seen from p
+ * or o, where the probe crosses their plane. */
+enum { TRIBUNAL_CULLS_NOTHING = 0, TRIBUNAL_CULLS_BACK_FACES = 1 };
+
+/* Which part of the triangle a hit met (version 2). */
+enum {
+  TRIBUNAL_CONTACT_UNSAID = 0,
+  TRIBUNAL_CONTACT_INTERIOR = 1,
+  TRIBUNAL_CONTACT_EDGE = 2,
+  TRIBUNAL_CONTACT_VERTEX = 3,
+  TRIBUNAL_CONTACT_COPLANAR = 4
+};
 
 /* Fifteen coordinates: p, q, a, b, c of a segment, or o, d, a, b, c of a ray; x, y, z each. The triangle is the closed
  * conv(a, b, c) and may be degenerate, as the segment may. */
@@ -50,16 +82,45 @@ typedef int tribunal_ask(int probe, const double query[15]);
 /* n queries with probes of one kind, the i-th at queries + 15*i, each answered in answers[i]. */
 typedef void tribunal_ask_batch(int probe, size_t n, const double* queries, int* answers);
 
+/* What is known of a hit beside that it is one (version 2). */
+typedef struct tribunal_hit {
+  int contact; /* TRIBUNAL_CONTACT_… */
+  int has_t;   /* whether t is given */
+  double t;    /* the point p + t*(q - p), or o + t*d */
+} tribunal_hit;
+
+/* As tribunal_ask, and tells of a hit. `hit` comes zeroed, and is looked at where the answer is TRIBUNAL_HIT. */
+typedef int tribunal_tell(int probe, const double query[15], tribunal_hit* hit);
+
+/* A triangle prepared for many probes (version 2): a, b, c as nine coordinates go in, what was made of them comes out;
+ * it is asked any number of times, from several threads, and released once. NULL: out of memory. The answers are those
+ * of ask. */
+typedef void* tribunal_prepare(const double triangle[9]);
+typedef int tribunal_ask_prepared(const void* prepared, int probe, const double coordinates[6]);
+typedef void tribunal_release(void* prepared);
+
 typedef struct tribunal_plugin {
-  int abi;                       /* TRIBUNAL_PLUGIN_ABI */
-  const char* name;              /* 1 to 32 of a-z A-Z 0-9 . _ -, a letter first; no other method's name */
-  const char* contract;          /* which operands it takes, e.g. "segment, ray; any triangle" */
-  const char* summary;           /* one line for people */
-  const char* reference;         /* where it was published, or NULL */
-  int format;                    /* TRIBUNAL_BINARY32 or TRIBUNAL_BINARY64 */
-  int convention;                /* TRIBUNAL_CLOSED or TRIBUNAL_TRANSVERSAL */
-  tribunal_ask* ask;             /* required, but for a test that takes polygons only */
+  int abi;               /* TRIBUNAL_PLUGIN_ABI */
+  const char* name;      /* 1 to 32 of a-z A-Z 0-9 . _ -, a letter first; no other method's name */
+  const char* contract;  /* version 1: the operands in words. Version 2 says them in `operands`; NULL, or ignored */
+  const char* summary;   /* one line for people */
+  const char* reference; /* where it was published, or NULL */
+  int format;            /* TRIBUNAL_BINARY32 or TRIBUNAL_BINARY64 */
+  int convention;        /* TRIBUNAL_CLOSED, TRIBUNAL_TRANSVERSAL or TRIBUNAL_COPLANAR_UNSPECIFIED */
+  tribunal_ask* ask;     /* required, but for a test that takes polygons only */
   tribunal_ask_batch* ask_batch; /* or NULL */
+
+  /* Version 2. */
+  int operands;              /* 0, or a sum of TRIBUNAL_NO_SEGMENTS, TRIBUNAL_NO_RAYS, TRIBUNAL_NO_DEGENERATE */
+  int boundary;              /* TRIBUNAL_BOUNDARY_… */
+  int ends;                  /* TRIBUNAL_ENDS_… */
+  int culling;               /* TRIBUNAL_CULLS_… */
+  tribunal_tell* tell;       /* or NULL */
+  int tells_contact;         /* not 0: tell says the contact */
+  int tells_t;               /* not 0: tell gives t of every hit that is one point */
+  tribunal_prepare* prepare; /* or NULL; then so are the next two */
+  tribunal_ask_prepared* ask_prepared; /* required with prepare */
+  tribunal_release* release;           /* or NULL: nothing is to be released */
 } tribunal_plugin;
 
 /* Polygons, if the test takes them: a second, optional function, tribunal_plugin_describe_polygons. A library without
@@ -86,7 +147,7 @@ typedef int tribunal_ask_polygon(int probe, const double coordinates[6], const t
 enum { TRIBUNAL_PLANAR_ONLY = 1, TRIBUNAL_NO_BOUNDARY = 2 };
 
 typedef struct tribunal_polygon_plugin {
-  int abi;                   /* TRIBUNAL_PLUGIN_ABI */
+  int abi;                   /* TRIBUNAL_PLUGIN_ABI, as in tribunal_plugin */
   int restrictions;          /* 0, or a sum of those above */
   tribunal_ask_polygon* ask; /* required */
 } tribunal_polygon_plugin;

@@ -130,10 +130,14 @@ std::optional<CommonPoint> common_point(const Query& query) {
   const Dyadic slope = dot(n, q.probe.d);
   if (!is_zero(slope)) {
     const Homogeneous h = along(q.probe, dot(n, q.v[0] - q.probe.o), slope);
-    return is_common(h, q) ? described(h, q) : std::optional<CommonPoint>{};
+    if (!is_common(h, q)) return {};
+    CommonPoint x = described(h, q);
+    x.facing = is_positive(slope) ? Facing::back : Facing::front;
+    return x;
   }
   for (const Homogeneous& h : candidates(q)) {
-    if (is_common(h, q)) return CommonPoint{Contact::coplanar, At::unsaid};
+    if (is_common(h, q))
+      return CommonPoint{Contact::coplanar, At::unsaid, Facing::unsaid, is_zero(n) || is_zero(q.probe.d)};
   }
   return {};
 }

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "core/answer.h"
+#include "core/due.h"
 #include "core/query.h"
 
 namespace tribunal {
@@ -14,6 +14,8 @@ namespace tribunal {
 struct CommonPoint {
   Contact contact;
   At at;
+  Facing facing = Facing::unsaid;  ///< by the slope of the probe against the normal
+  bool degenerate = false;         ///< the triangle has no area, or the probe is a point
 };
 
 /// Tries the finitely many points of which one is common if any is: where the probe crosses the plane; or, in one

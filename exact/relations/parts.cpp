@@ -17,11 +17,13 @@ std::optional<bool> any_hit(const Method& method, const std::vector<Query>& quer
   return any;
 }
 
+/// Says nothing about methods whose answers depend on more than the two point sets.
 template <class Holds>
 Instance between(std::vector<Query> one, const std::vector<Query>& other, const Holds& holds) {
   const std::size_t middle = one.size();
   one.insert(one.end(), other.begin(), other.end());
   const auto ask = [queries = one, middle, holds](const Method& method) -> std::optional<bool> {
+    if (!reads_point_sets(method.contract)) return {};
     const auto before = any_hit(method, queries, 0, middle), after = any_hit(method, queries, middle, queries.size());
     if (!before || !after) return {};
     return holds(*before, *after);
@@ -55,9 +57,22 @@ bool agrees(const Answer& answer, const CommonPoint& x) {
   return contact && (answer.at == At::unsaid || x.at == At::unsaid || answer.at == x.at);
 }
 
-std::optional<bool> is_evident(const Answer& answer, const std::optional<CommonPoint>& x, const Method& method) {
+/// What the method owes to a query whose operands have this point in common. In a plane the boundary may be met.
+Due owed_to(const Method& method, const Query& query, const CommonPoint& x) {
+  return due(method.contract, {.of_ray = std::holds_alternative<Ray>(query.probe),
+                               .degenerate = x.degenerate,
+                               .contact = x.contact,
+                               .boundary = x.contact != Contact::interior,
+                               .at = x.at,
+                               .facing = x.facing});
+}
+
+std::optional<bool> is_evident(const Answer& answer, const Query& query, const std::optional<CommonPoint>& x,
+                               const Method& method) {
   if (answer.status != Status::ok || !answer.hit) return {};
-  return x && counts_as_hit(x->contact, method.convention) && agrees(answer, *x);
+  const Due owed = x ? owed_to(method, query, *x) : Due::miss;
+  if (owed == Due::nothing) return {};
+  return owed == Due::hit && agrees(answer, *x);
 }
 
 }  // namespace
@@ -111,17 +126,19 @@ std::optional<Instance> segment_as_triangle(const Query& query, Format, Draw& dr
 
 std::optional<Instance> hit_has_point(const Query& query, Format, Draw&) {
   const auto x = common_point(query);
-  return Instance{{query}, [=](const Method& method) { return is_evident(method.ask(query), x, method); }};
+  return Instance{{query}, [=](const Method& method) { return is_evident(method.ask(query), query, x, method); }};
 }
 
-/// A transversal method may also miss what it calls no hit.
+/// A method may also miss what is no hit by its contract.
 std::optional<Instance> miss_has_plane(const Query& query, Format, Draw&) {
   const auto x = common_point(query);
   const bool apart = has_separating_plane(query);
   const auto holds = [=](const Method& method) -> std::optional<bool> {
     const Answer answer = method.ask(query);
     if (answer.status != Status::ok || answer.hit) return {};
-    return apart || (x && !counts_as_hit(x->contact, method.convention));
+    if (apart) return true;
+    if (x && owed_to(method, query, *x) == Due::nothing) return {};
+    return x && owed_to(method, query, *x) == Due::miss;
   };
   return Instance{{query}, holds};
 }

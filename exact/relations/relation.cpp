@@ -56,11 +56,13 @@ class Asked {
   const Query& query() const { return query_; }
   Format format() const { return format_; }
 
+  /// Relations between answers about triangles say themselves of which contracts they speak.
   bool is_owed_by(const Method& method) {
     if (!takes(method, format_)) return false;
-    if (promises_all(method, query_.operands())) return true;
+    if (query_.operands() == Operands::triangles || promises_all_polygons(method.contract)) return true;
+    if (!reads_as_sets(method.contract)) return false;
     if (!truth_) truth_ = exact_truth(query_);
-    return promises(method, *truth_);
+    return due(method.contract, *truth_) != Due::nothing;
   }
 
  private:

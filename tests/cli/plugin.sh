@@ -42,6 +42,38 @@ expect 2 shrink first.jsonl && says err 'names an unknown method, my-mt'
 expect 1 certify --plugin planted.so --method my-mt --out certificate && says out 'my-mt: refuted'
 expect 0 chart --plugin mine.so --method my-mt,mt-double --count 600 --repetitions 9 --threads 1 --out charts && says charts/chart.json my-mt
 
+# A library of version 1, compiled with the header of that time, is the same method to the byte; what follows its shorter
+# description in memory is not read.
+old=$SOURCE_DIR/tests/plugin/version1
+${CC:-cc} -std=c99 -pedantic -Wall -Wextra -Werror -O2 -ffp-contract=off -shared -fPIC -I "$old" -o version1.so "$old/moeller_trumbore.c" -lm
+expect 0 methods --json --plugin version1.so && grep '"my-mt"' out | sed 's/sha256 [0-9a-f]*//' >of-version1
+expect 0 methods --json --plugin mine.so && grep '"my-mt"' out | sed 's/sha256 [0-9a-f]*//' >of-version2
+grep -q '"probes":\["segment","ray"\],"triangles":"any"' of-version1
+grep -q '"capabilities":\["batch"\]' of-version1
+grep -q '"capabilities":\["parameter","batch","prepared triangle"\]' of-version2
+for library in version1 mine; do
+  expect 1 fuzz --plugin $library.so --method my-mt --count 20000 --threads 2 --out fuzzed-$library
+done
+/usr/bin/python3 - <<'PYTHON'
+import json
+counts = [json.load(open(f"fuzzed-{library}/summary.json"))["counts"] for library in ("version1", "mine")]
+assert counts[0] == counts[1], "the same test, told in two versions, is judged otherwise"
+PYTHON
+
+# The example again, with its contract's other values: it culls, and is judged by that; it says so, and does not.
+plugin culls -DCULLS "$example"
+cat >behind.jsonl <<'CASES'
+{"id":"front","seg":[[0.25,0.25,1],[0.25,0.25,-1]],"tri":[[0,0,0],[1,0,0],[0,1,0]]}
+{"id":"back","seg":[[0.25,0.25,-1],[0.25,0.25,1]],"tri":[[0,0,0],[1,0,0],[0,1,0]]}
+CASES
+expect 0 methods --plugin culls.so && says out 'segment, ray; any triangle, back faces culled'
+expect 0 replay --plugin culls.so behind.jsonl && says out 'right by its contract'
+plugin says_so -DSAYS_IT_CULLS "$example"
+expect 1 replay --plugin says_so.so behind.jsonl && says out 'WRONG'
+expect 1 certify --plugin says_so.so --method my-mt --out says_so && says says_so/counterexamples.jsonl '"readings":{"culling":"back faces"}'
+plugin stale -DFORGETS_WHAT_IT_PREPARED "$example"
+expect 1 fuzz --plugin stale.so --method my-mt --count 2000 && says err 'answers otherwise with a prepared triangle'
+
 # Two libraries at once; two of one name.
 broken=$SOURCE_DIR/tests/plugin/broken.c
 plugin other -DNAME='"other"' "$broken"
@@ -70,7 +102,7 @@ echo 'int unrelated;' >unrelated.c && plugin unrelated unrelated.c && no_plugin 
 echo 'int nowhere(void); int undefined(void) { return nowhere(); }' >undefined.c
 cc -shared -fPIC -o undefined.so undefined.c && no_plugin undefined.so 'cannot be loaded as a shared library: undefined symbol: nowhere'
 breaks 'tribunal_plugin_describe returned NULL' -DNOTHING
-breaks 'is made for version 999 of tribunal_plugin.h, expected 1' -DABI=999 -DNAME=NULL
+breaks 'is made for version 999 of tribunal_plugin.h, expected 1 or 2' -DABI=999 -DNAME=NULL
 breaks 'name is NULL' -DNAME=NULL
 breaks 'name is "", expected' -DNAME='""'
 breaks 'name is "a,b", expected' -DNAME='"a,b"'
@@ -78,11 +110,20 @@ breaks 'name is "-x", expected' -DNAME='"-x"'
 breaks 'name is "two\nlines", expected' -DNAME='"two\nlines"'
 breaks 'name is "\ufffd", expected' -DNAME='"\xff"'
 breaks 'name is "a23456789012345678901234567890123", expected' -DNAME='"a23456789012345678901234567890123"'
-breaks 'contract is NULL' -DCONTRACT=NULL
-breaks 'contract: expected one line' -DCONTRACT='"two\nlines"'
-breaks 'contract: expected one line of UTF-8' -DCONTRACT='"\xff"'
+breaks 'contract is NULL' -DABI=1 -DCONTRACT=NULL
+breaks 'contract: expected one line' -DABI=1 -DCONTRACT='"two\nlines"'
+breaks 'contract: expected one line of UTF-8' -DABI=1 -DCONTRACT='"\xff"'
 breaks 'format is 16, expected TRIBUNAL_BINARY32 or TRIBUNAL_BINARY64' -DFORMAT=16
 breaks 'convention is 7, expected' -DCONVENTION=7
+breaks 'convention is 2, expected TRIBUNAL_CLOSED or TRIBUNAL_TRANSVERSAL' -DABI=1 -DCONVENTION=2
+breaks 'operands is 3, expected 0 or a sum' -DMORE='.operands = 3'
+breaks 'operands is 8, expected 0 or a sum' -DMORE='.operands = 8'
+breaks 'boundary is 4, expected one of TRIBUNAL_BOUNDARY_' -DMORE='.boundary = 4'
+breaks 'ends is -1, expected one of TRIBUNAL_ENDS_' -DMORE='.ends = -1'
+breaks 'culling is 2, expected one of TRIBUNAL_CULLS_' -DMORE='.culling = 2'
+breaks 'tell is NULL, expected a function that tells' -DMORE='.tells_t = 1'
+breaks 'tell is NULL, expected a function that tells' -DMORE='.tells_contact = 1'
+breaks 'ask_prepared is NULL, expected a function' -DMORE='.prepare = (tribunal_prepare*)(size_t)1'
 breaks 'ask is NULL' -DASK=NULL
 
 # What only shows when it is asked.

@@ -106,15 +106,5 @@ TEST(MoellerTrumbore, AgreesOnTransversalContacts) {
   EXPECT_FALSE(moeller_trumbore<double>(Ray{{1, 1, -1}, {{0, 0, -1}}}, t)) << "behind";
 }
 
-TEST(Answers, ConventionsDifferOnCoplanarContactsOnly) {
-  for (const Contact c : {Contact::interior, Contact::edge, Contact::vertex}) {
-    EXPECT_TRUE(counts_as_hit(c, Convention::closed));
-    EXPECT_TRUE(counts_as_hit(c, Convention::transversal));
-  }
-  EXPECT_TRUE(counts_as_hit(Contact::coplanar, Convention::closed));
-  EXPECT_FALSE(counts_as_hit(Contact::coplanar, Convention::transversal));
-  EXPECT_FALSE(counts_as_hit(Contact::none, Convention::closed));
-}
-
 }  // namespace
 }  // namespace tribunal

@@ -25,7 +25,7 @@ TEST(CaseFiles, AreAnsweredAsTheySayByEveryExactMethod) {
     for (const Case& c : cases) {
       ASSERT_TRUE(c.expect.has_value()) << file.path << " " << c.id;
       for (const Method& m : all_methods()) {
-        if (!m.exact) continue;
+        if (!m.contract.exact) continue;
         const Answer answer = m.ask(c.query);
         if (answer.status != Status::ok) continue;
         ++judged;

@@ -284,12 +284,12 @@ TEST_F(CertificateTest, RaysAreOnTrial) {
 
   Method segments = method("sf-rational");
   segments.name = "segments only";
-  segments.contract = "segment; any triangle";
+  segments.contract.probes.rays = false;
   segments.ray = [](const Ray&, const Triangle&) { return refusal(Status::unsupported); };
   const Certificate without = write({.method = segments, .budget = {"tiny", 1, false}, .threads = 2});
   EXPECT_EQ(without.verdict, Verdict::not_refuted);
   EXPECT_NE(to_markdown(without).find("rays"), std::string::npos);
-  segments.contract = "segment, ray; any triangle";
+  segments.contract.probes.rays = true;
   const Certificate hole = write({.method = segments, .budget = {"tiny", 1, false}, .threads = 2});
   EXPECT_EQ(hole.verdict, Verdict::incomplete);
 }

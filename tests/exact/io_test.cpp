@@ -172,7 +172,7 @@ TEST(Methods, TheTableIsConsistent) {
   for (const Method& m : all_methods()) {
     EXPECT_TRUE(names.insert(m.name).second) << m.name;
     EXPECT_TRUE(m.segment && m.ray) << m.name;
-    EXPECT_FALSE(m.number.empty() || m.contract.empty() || m.summary.empty() || m.reference.empty()) << m.name;
+    EXPECT_FALSE(m.card.number.empty() || m.card.summary.empty() || m.card.reference.empty()) << m.name;
     EXPECT_EQ(find_method(m.name), &m);
   }
   EXPECT_EQ(find_method("sf-duoble"), nullptr);

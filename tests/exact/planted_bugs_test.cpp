@@ -78,10 +78,10 @@ void expect_all_found(const std::vector<Method>& bugs, const PlanFor& plan_of) {
   std::printf("  %-24s %8s %8s  %-24s %s\n", "bug", "cases", "seconds", "blamed", "what is wrong");
   for (const Method& bug : bugs) {
     const Hunt hunt = hunt_for(bug, plan_of);
-    EXPECT_EQ(hunt.blamed, std::set<std::string>{bug.name}) << bug.name << ": " << bug.summary;
+    EXPECT_EQ(hunt.blamed, std::set<std::string>{bug.name}) << bug.name << ": " << bug.card.summary;
     EXPECT_LT(hunt.seconds, 60) << bug.name;
     std::printf("  %-24s %8llu %8.2f  %-24s %s\n", bug.name.c_str(), static_cast<unsigned long long>(hunt.cases),
-                hunt.seconds, hunt.blamed.empty() ? "" : hunt.blamed.begin()->c_str(), bug.summary.c_str());
+                hunt.seconds, hunt.blamed.empty() ? "" : hunt.blamed.begin()->c_str(), bug.card.summary.c_str());
   }
 }
 

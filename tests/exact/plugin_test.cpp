@@ -2,12 +2,14 @@
 // tests/cli/plugin.sh loads real libraries and breaks every rule of the description.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cfenv>
 #include <cmath>
 #include <limits>
 
 #include "exact/families/family.h"
+#include "exact/harness/prepared.h"
 #include "exact/io/failure.h"
 #include "exact/plugin/load.h"
 
@@ -32,15 +34,15 @@ void ask_batch(int probe, size_t n, const double* queries, int* answers) {
 }
 
 tribunal_plugin sound_plugin() {
-  return {.abi = TRIBUNAL_PLUGIN_ABI,
-          .name = "in-process",
-          .contract = "anything",
-          .summary = "a checksum",
-          .reference = nullptr,
-          .format = TRIBUNAL_BINARY64,
-          .convention = TRIBUNAL_CLOSED,
-          .ask = ask,
-          .ask_batch = ask_batch};
+  tribunal_plugin plugin{};
+  plugin.abi = TRIBUNAL_PLUGIN_ABI;
+  plugin.name = "in-process";
+  plugin.summary = "a checksum";
+  plugin.format = TRIBUNAL_BINARY64;
+  plugin.convention = TRIBUNAL_CLOSED;
+  plugin.ask = ask;
+  plugin.ask_batch = ask_batch;
+  return plugin;
 }
 
 /// Segments of every family, every third as a ray.
@@ -162,6 +164,114 @@ TEST(Plugin, ChangedRoundingIsNoticed) {
   const Method method = plugin_method(plugin, "x.so");
   EXPECT_THROW(method.ask(through), Failure);
   std::fesetround(FE_TONEAREST);
+}
+
+TEST(Plugin, VersionTwoSaysItsContractInTypes) {
+  tribunal_plugin plugin = sound_plugin();
+  EXPECT_EQ(plugin_method(plugin, "x.so").contract, Contract{}) << "zero is what version 1 meant";
+  plugin.operands = TRIBUNAL_NO_SEGMENTS | TRIBUNAL_NO_DEGENERATE;
+  plugin.format = TRIBUNAL_BINARY32;
+  plugin.convention = TRIBUNAL_COPLANAR_UNSPECIFIED;
+  plugin.boundary = TRIBUNAL_BOUNDARY_HALF_OPEN;
+  plugin.ends = TRIBUNAL_ENDS_OPEN;
+  plugin.culling = TRIBUNAL_CULLS_BACK_FACES;
+  const Contract said{.probes = {.segments = false},
+                      .triangles = Triangles::proper,
+                      .convention = Convention::unspecified,
+                      .boundary = Boundary::half_open,
+                      .ends = Ends::open,
+                      .culling = Culling::back_faces,
+                      .format = Format::binary32};
+  EXPECT_EQ(plugin_method(plugin, "x.so").contract, said);
+  plugin.boundary = TRIBUNAL_BOUNDARY_OPEN;
+  plugin.ends = TRIBUNAL_ENDS_UNSPECIFIED;
+  EXPECT_EQ(plugin_method(plugin, "x.so").contract.boundary, Boundary::open);
+  EXPECT_EQ(plugin_method(plugin, "x.so").contract.ends, Ends::unspecified);
+  plugin.boundary = TRIBUNAL_BOUNDARY_UNSPECIFIED;
+  plugin.operands = TRIBUNAL_NO_RAYS;
+  EXPECT_EQ(plugin_method(plugin, "x.so").contract.boundary, Boundary::unspecified);
+  EXPECT_FALSE(plugin_method(plugin, "x.so").contract.probes.rays);
+}
+
+/// What version 1 did not have is not read: here it would be nonsense.
+TEST(Plugin, VersionOneIsReadAsItWas) {
+  tribunal_plugin plugin = sound_plugin();
+  plugin.abi = 1;
+  plugin.contract = "segment; any triangle";
+  plugin.operands = plugin.boundary = plugin.ends = plugin.culling = 99;
+  plugin.tells_t = 1;
+  const Method method = plugin_method(plugin, "x.so");
+  EXPECT_EQ(method.contract, (Contract{.probes = {.rays = false}}));
+  EXPECT_FALSE(method.parameter || method.prepare_triangle || method.tells_contact);
+  plugin.contract = "anything";
+  EXPECT_EQ(plugin_method(plugin, "x.so").contract, Contract{}) << "words that name no probe mean both";
+}
+
+int tell(int probe, const double x[15], tribunal_hit* hit) {
+  EXPECT_EQ(hit->contact, 0);
+  EXPECT_EQ(hit->has_t, 0);
+  hit->contact = TRIBUNAL_CONTACT_EDGE;
+  hit->has_t = x[0] > 0;
+  hit->t = x[0];
+  return ask(probe, x);
+}
+
+TEST(Plugin, TellsContactAndParameter) {
+  tribunal_plugin plugin = sound_plugin();
+  plugin.tell = tell;
+  EXPECT_FALSE(plugin_method(plugin, "x.so").parameter) << "it does not say that it tells t";
+  plugin.tells_contact = plugin.tells_t = 1;
+  const Method method = plugin_method(plugin, "x.so");
+  EXPECT_TRUE(method.tells_contact);
+  int hits = 0;
+  for (const Query& query : some_queries(60)) {
+    const Answer answer = method.ask(query), plain = plugin_method(sound_plugin(), "x.so").ask(query);
+    ASSERT_EQ(answer.hit, plain.hit);
+    ASSERT_EQ(answer.contact, answer.hit ? Contact::edge : Contact::none);
+    const Ray* ray = std::get_if<Ray>(&query.probe);
+    if (ray == nullptr) continue;
+    const std::optional<double> t = answer.hit && ray->o.x > 0 ? std::optional<double>(ray->o.x) : std::nullopt;
+    ASSERT_EQ(method.parameter(*ray, query.triangle), t);
+    hits += t.has_value();
+  }
+  EXPECT_GT(hits, 50);
+  plugin.tell = [](int, const double*, tribunal_hit* hit) -> int { return hit->contact = 5, TRIBUNAL_HIT; };
+  EXPECT_THROW(plugin_method(plugin, "x.so").ask(through), Failure);
+}
+
+std::atomic<int> prepared_now{0};
+
+TEST(Plugin, PreparesTrianglesAndReleasesThem) {
+  struct Nine {
+    double x[9];
+  };
+  tribunal_plugin plugin = sound_plugin();
+  plugin.prepare = [](const double* x) -> void* {
+    ++prepared_now;
+    auto* nine = new Nine;
+    std::copy_n(x, 9, nine->x);
+    return nine;
+  };
+  plugin.ask_prepared = [](const void* prepared, int probe, const double* x) {
+    double all[15];
+    std::copy_n(x, 6, all);
+    std::copy_n(static_cast<const Nine*>(prepared)->x, 9, all + 6);
+    return ask(probe, all);
+  };
+  plugin.release = [](void* prepared) {
+    --prepared_now;
+    delete static_cast<Nine*>(prepared);
+  };
+  const Method method = plugin_method(plugin, "x.so");
+  for (const Query& query : some_queries(30)) EXPECT_NO_THROW(require_same_when_prepared(method, query));
+  {
+    const PreparedTriangle one = method.prepare_triangle(through.triangle);
+    const auto segment = one.segment;
+    EXPECT_EQ(prepared_now, 1);
+  }
+  EXPECT_EQ(prepared_now, 0);
+  plugin.prepare = [](const double*) -> void* { return nullptr; };
+  EXPECT_THROW(plugin_method(plugin, "x.so").prepare_triangle(through.triangle), Failure);
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ bool is_exact_in(const Trial& trial) {
 TEST(PolygonFamilies, ExactMethodsAreRight) {
   std::vector<const Method*> exact;
   for (const Method& m : all_methods()) {
-    if (m.exact && m.polygon) exact.push_back(&m);
+    if (m.contract.exact && m.polygon) exact.push_back(&m);
   }
   ASSERT_GE(exact.size(), 3U);
   for (const Family& family : families_of(Operands::polygons)) {
@@ -109,7 +109,7 @@ TEST(PolygonFamilies, NaiveMethodsAreWrongSomewhere) {
     Count count;
     for (const Family& family : families_of(Operands::polygons)) {
       for (std::uint64_t k = 0; k < 1'000; ++k) {
-        const Trial trial = family.make(m.format, 3, k);
+        const Trial trial = family.make(m.contract.format, 3, k);
         count.add(judge(m, truth_of(trial, k), m.ask(trial.query)), Stage::none);
       }
     }

@@ -91,14 +91,13 @@ TEST(PolygonJudge, TheBoundaryIsMetInThePlaneToo) {
     EXPECT_EQ(truth.boundary, row.boundary);
     for (const Convention convention : {Convention::closed, Convention::transversal}) {
       Method m{};
-      m.convention = convention;
-      m.polygon_promise.boundary = false;
-      const bool due = counts_as_hit(truth.contact, convention);
+      m.contract = {.polygons = Polygons::any, .convention = convention, .polygon_boundary = Boundary::unspecified};
+      const bool due = truth.hit() && (truth.contact != Contact::coplanar || convention == Convention::closed);
       const Judgement otherwise = row.boundary ? Judgement::unsupported : Judgement::wrong;
       const Judgement rightly = row.boundary ? Judgement::unsupported : Judgement::right;
       EXPECT_EQ(judge(m, truth, due ? hit_at(Contact::unsaid) : miss()), rightly);
       EXPECT_EQ(judge(m, truth, due ? miss() : hit_at(Contact::unsaid)), otherwise);
-      m.polygon_promise.boundary = true;
+      m.contract.polygon_boundary = Boundary::closed;
       EXPECT_EQ(judge(m, truth, due ? miss() : hit_at(Contact::unsaid)), Judgement::wrong);
     }
   }

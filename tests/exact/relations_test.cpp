@@ -76,7 +76,7 @@ const RelationCount& count_of(const std::vector<RelationCount>& counts, std::str
 std::vector<Method> exact_methods() {
   std::vector<Method> methods;
   for (const Method& method : all_methods()) {
-    if (method.exact) methods.push_back(method);
+    if (method.contract.exact) methods.push_back(method);
   }
   return methods;
 }

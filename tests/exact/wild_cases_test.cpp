@@ -66,7 +66,7 @@ Contact contact_in(const std::string& verdict) {
 std::vector<const Method*> exact_methods() {
   std::vector<const Method*> methods;
   for (const Method& m : all_methods()) {
-    if (m.exact) methods.push_back(&m);
+    if (m.contract.exact) methods.push_back(&m);
   }
   return methods;
 }

@@ -12,17 +12,10 @@ Method method(const char* name, const char* what, Decision decide, RayDecision d
   const bool takes_rays = decide_ray != nullptr;
   if (!takes_rays) decide_ray = [](const Ray&, const Triangle&) { return refusal(Status::unsupported); };
   return {.name = name,
-          .number = "as planted",
-          .contract = takes_rays ? "segment, ray; any triangle" : "segment; any triangle",
-          .summary = what,
-          .reference = "tests/planted",
-          .convention = Convention::closed,
-          .format = Format::binary64,
-          .exact = true,
+          .card = {.number = "as planted", .summary = what, .reference = "tests/planted"},
+          .contract = {.probes = {.rays = takes_rays}, .exact = true},
           .segment = std::move(decide),
-          .ray = std::move(decide_ray),
-          .classify = {},
-          .compare_hits = {}};
+          .ray = std::move(decide_ray)};
 }
 
 Method ray_method(const char* name, const char* what, RayDecision decide) {

@@ -40,7 +40,7 @@ Answer jimenez(const Segment& segment, const Triangle& triangle) {
 }
 
 Method transversal(Method m) {
-  m.convention = Convention::transversal;
+  m.contract.convention = Convention::transversal;
   return m;
 }
 

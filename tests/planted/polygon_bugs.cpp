@@ -4,7 +4,7 @@ namespace tribunal::planted {
 
 Method polygon_method(const char* name, const char* what, PolygonDecision decide) {
   Method m = method(name, what, [](const Segment&, const Triangle&) { return refusal(Status::unsupported); });
-  m.contract = "segment, ray; any polygon";
+  m.contract = {.triangles = Triangles::none, .polygons = Polygons::any, .exact = true};
   m.polygon = [decide](const Polygon& polygon) -> PreparedPolygon {
     return {.segment = [decide, polygon](const Segment& s) { return decide(s, polygon); },
             .ray = [decide, polygon](const Ray& r) { return decide(r, polygon); }};

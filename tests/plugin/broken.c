@@ -28,6 +28,9 @@ __attribute__((constructor)) static void flush(void) { _mm_setcsr(_mm_getcsr() |
 #ifndef ASK
 #define ASK ask
 #endif
+#ifndef MORE
+#define MORE .operands = 0
+#endif
 #ifndef ANSWER
 #define ANSWER TRIBUNAL_MISS
 #endif
@@ -48,7 +51,14 @@ const tribunal_plugin* tribunal_plugin_describe(void) {
 #ifdef NOTHING
   return NULL;
 #else
-  static const tribunal_plugin plugin = {ABI, NAME, CONTRACT, "breaks a promise", NULL, FORMAT, CONVENTION, ASK, NULL};
+  static const tribunal_plugin plugin = {.abi = ABI,
+                                         .name = NAME,
+                                         .contract = CONTRACT,
+                                         .summary = "breaks a promise",
+                                         .format = FORMAT,
+                                         .convention = CONVENTION,
+                                         .ask = ASK,
+                                         MORE};
   return &plugin;
 #endif
 }

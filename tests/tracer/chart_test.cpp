@@ -59,7 +59,7 @@ TEST(Chart, HoldsTheMethodsToWhatIsKnownOfThem) {
   for (const Json& row : small_chart()["rows"]) {
     const Json& a = row["answers"];
     EXPECT_EQ(a["asked"], 1000);
-    if (find_method(row["method"].get<std::string>())->exact) {
+    if (find_method(row["method"].get<std::string>())->contract.exact) {
       EXPECT_EQ(a["wrong"], 0) << row;
     }
     if (row["population"] != "degenerate") continue;

@@ -66,13 +66,13 @@ Misses misses(const Method& m, double offset) {
     Scene scene;
     scene.solids = {on_grid(name, offset)};
     EXPECT_TRUE(is_closed(scene.solids[0].mesh)) << name;
-    const World world = make_world(scene, m.format, Accel::bvh);
+    const World world = make_world(scene, m.contract.format, Accel::bvh);
     RayTally tally;
     Visibility eye(world, m, tally);
     const Point3 from = Point3(offset) + Point3(2621441, 1703937, 3145735);
     for (const Point3& target : targets_of(scene.solids[0].mesh)) {
       ++count.rays;
-      count.missed += !eye.first_hit({in_format(from, m.format), {in_format(target - from, m.format)}});
+      count.missed += !eye.first_hit({in_format(from, m.contract.format), {in_format(target - from, m.contract.format)}});
     }
   }
   return count;
@@ -83,14 +83,14 @@ TEST(Watertight, NoRayAimedAtAVertexOrAnEdgePasses) {
   std::uint64_t naive = 0;
   for (const char* name : {"sf-filtered", "sf-epick", "sf-double", "mt-double", "sf-float", "mt-float"}) {
     const Method& m = method(name);
-    const bool wide = m.format == Format::binary64;  // binary32 holds no such mesh at 2^40
+    const bool wide = m.contract.format == Format::binary64;  // binary32 holds no such mesh at 2^40
     const Misses here = misses(m, 0), there = wide ? misses(m, 0x1p40) : Misses{};
     std::printf("%-14s %10llu %12llu %12s\n", name, static_cast<unsigned long long>(here.rays),
                 static_cast<unsigned long long>(here.missed), wide ? std::to_string(there.missed).c_str() : "-");
     EXPECT_GT(here.rays, 100000u);
     const std::uint64_t missed = here.missed + there.missed;
-    EXPECT_TRUE(!m.exact || missed == 0) << name << " missed " << missed;
-    if (!m.exact) naive += missed;
+    EXPECT_TRUE(!m.contract.exact || missed == 0) << name << " missed " << missed;
+    if (!m.contract.exact) naive += missed;
   }
   EXPECT_GT(naive, 100u) << "the rays have no teeth";
 }

@@ -20,10 +20,10 @@ Json methods_json(const ChartPlan& plan) {
   Json rows = Json::array();
   for (const Method& m : plan.methods) {
     rows.push_back({{"name", m.name},
-                    {"number", m.number},
-                    {"fmt", name_of(m.format)},
-                    {"convention", name_of(m.convention)},
-                    {"exact", m.exact}});
+                    {"number", m.card.number},
+                    {"fmt", name_of(m.contract.format)},
+                    {"convention", name_of(m.contract.convention)},
+                    {"exact", m.contract.exact}});
   }
   return rows;
 }

@@ -105,7 +105,7 @@ void measure_onset(const ChartPlan& plan, Chart& chart) {
   for (const auto& [key, count] : levels) {
     const auto& [method, stream, level] = key;
     const Format format = judging.streams[stream].format;
-    const bool drawn = plan.methods[method].format == format;
+    const bool drawn = plan.methods[method].contract.format == format;
     chart.onset.push_back({method, format, drawn, affine.levels(format)[level], count});
   }
 }

@@ -79,7 +79,7 @@ std::span<const Population> all_populations() {
 }
 
 Format drawn_format(const Population& population, const Method& method) {
-  return population.formats.size() == 1 ? population.formats.front() : method.format;
+  return population.formats.size() == 1 ? population.formats.front() : method.contract.format;
 }
 
 }  // namespace tribunal

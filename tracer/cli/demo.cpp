@@ -21,6 +21,10 @@ struct Options {
 
 constexpr int stages = 5;
 
+/// The test in two arithmetics, as on the page.
+constexpr const char* floating = "sf-double";
+constexpr const char* exact = "sf-rational";
+
 /// A command as one would type it, and the exit code that shows the expected result.
 struct Step {
   const char* command;
@@ -92,15 +96,15 @@ void run_fuzz(Runner& runner, const Options& o) {
 
 void run_certify(Runner& runner, const Options& o) {
   runner.announce(2, "certify: one test in two arithmetics");
-  const auto certify = [&](const char* method, const char* directory, Exit expected) {
+  const auto certify = [&](const char* method, Exit expected) {
     runner.run({"certify",
                 declare_certify,
                 {"--method", method, "--budget", "quick", "--threads", std::to_string(o.threads), "--out",
-                 o.out + "/" + directory},
+                 o.out + "/" + certificate_directory(method)},
                 expected});
   };
-  certify("sf-double", demo_files::floating, Exit::disagreement);
-  certify("sf-rational", demo_files::exact, Exit::ok);
+  certify(floating, Exit::disagreement);
+  certify(exact, Exit::ok);
 }
 
 constexpr const char* pictured[] = {"mt-float", "sf-double"};
@@ -118,8 +122,8 @@ void run_render(Runner& runner, const Options& o) {
   for (const std::string method : pictured) {
     runner.run({"render",
                 declare_render,
-                {o.scene, "--method", "sf-rational", "--against", method, "-o", o.out + "/" + exact_picture(method),
-                 "--stats", stats_file(o, method), "--threads", threads}});
+                {o.scene, "--method", exact, "--against", method, "-o", o.out + "/" + exact_picture(method), "--stats",
+                 stats_file(o, method), "--threads", threads}});
     runner.run({"render",
                 declare_render,
                 {o.scene, "--method", method, "-o", o.out + "/" + own_picture(method), "--threads", threads}});
@@ -134,7 +138,8 @@ void run_chart(Runner& runner, const Options& o) {
 
 /// The plainest counterexample, in a file of its own, and what replay says of it.
 void add_counterexample(Tour& tour) {
-  tour.counterexample = plainest(read_cases(tour.directory + "/" + demo_files::floating + "/counterexamples.jsonl"));
+  tour.counterexample =
+      plainest(read_cases(tour.directory + "/" + certificate_directory(floating) + "/counterexamples.jsonl"));
   write_file(tour.directory + "/" + demo_files::counterexample, to_lines(std::vector{tour.counterexample}));
   bool wrong = false;
   tour.replay = replay(tour.counterexample, wrong);
@@ -148,8 +153,8 @@ Tour read_tour(const Options& o, const Runner& runner) {
   Tour tour;
   tour.directory = o.out;
   tour.commands = runner.lines();
-  tour.floating = certificate_figures(json_from(o.out + "/" + demo_files::floating + "/certificate.json"));
-  tour.exact = certificate_figures(json_from(o.out + "/" + demo_files::exact + "/certificate.json"));
+  tour.floating = certificate_figures(json_from(o.out + "/" + certificate_directory(floating) + "/certificate.json"));
+  tour.exact = certificate_figures(json_from(o.out + "/" + certificate_directory(exact) + "/certificate.json"));
   tour.fuzz = fuzz_figures(json_from(o.out + "/" + demo_files::fuzz + "/summary.json"));
   for (const std::string method : pictured) {
     const std::string cases = o.out + "/render/exact-" + method + ".cases.jsonl";

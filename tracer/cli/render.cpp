@@ -106,7 +106,7 @@ Json to_json(const Method& method, const RayTally& t) {
            {{"wanted", t.starts},
             {"candidates", t.start_candidates},
             {"tests", t.start_tests},
-            {"unproved", method.exact ? Json(t.starts_unproved) : Json("all")}}}};
+            {"unproved", method.contract.exact ? Json(t.starts_unproved) : Json("all")}}}};
 }
 
 Json to_json(const Findings& f, const Method& a, const Method& b) {
@@ -196,7 +196,7 @@ std::string table_row(const Method& m, const Rendering& r) {
 
 /// What exact methods do about the starts of secondary rays.
 std::string describe_starts(const Method& m, const RayTally& t) {
-  if (!m.exact || t.starts == 0) return "";
+  if (!m.contract.exact || t.starts == 0) return "";
   return formatted("%s: %llu starts of secondary rays, %llu points tried, %llu face tests, %llu starts unproved\n",
                    m.name.c_str(), whole(t.starts), whole(t.start_candidates), whole(t.start_tests),
                    whole(t.starts_unproved));
@@ -228,7 +228,7 @@ void require_faces(const Method& method, const World& world) {
   if (triangles == 0 || !refuses_rays(method)) return;
   const std::string what =
       method.polygon ? "takes no triangles, and the scene has " + std::to_string(triangles) : "does not take rays";
-  throw Failure(Exit::usage, method.name + " " + what + " (its contract: " + method.contract + ")");
+  throw Failure(Exit::usage, method.name + " " + what + " (its contract: " + in_words(method.contract) + ")");
 }
 
 /// The files that the options ask for, in the order in which they are written.
@@ -281,7 +281,7 @@ int run(const Options& o) {
   const std::vector<Output> outputs = outputs_of(o);
   require_writable(o, outputs);
   const Scene scene = read_scene(o.scene);
-  const auto is_binary32 = [](const Method& m) { return m.format == Format::binary32; };
+  const auto is_binary32 = [](const Method& m) { return m.contract.format == Format::binary32; };
   const bool narrow = std::any_of(methods.begin(), methods.end(), is_binary32);
   const bool takes_polygons = std::all_of(methods.begin(), methods.end(), [](const Method& m) { return m.polygon; });
   const Faces faces = o.triangulate || !takes_polygons ? Faces::triangulated : Faces::polygons;

@@ -5,6 +5,7 @@
 
 #include "exact/certificate/bounds.h"
 #include "exact/families/family.h"
+#include "exact/methods.h"
 #include "tracer/demo/html.h"
 #include "tracer/demo/page_parts.h"
 #include "tracer/demo/page_style.h"
@@ -60,8 +61,10 @@ std::string verdicts(const Tour& tour) {
                 "which decides by the signs of five determinants. Its sums and products are rounded in one and exact "
                 "in the other. Both were asked the same questions, whose right answers are known exactly.") +
           element("div",
-                  card(tour.floating, demo_files::floating, "Double precision, as most programs compute.") +
-                      card(tour.exact, demo_files::exact, "Rational numbers: slower, and nothing is rounded."),
+                  card(tour.floating, certificate_directory(tour.floating.method),
+                       "Double precision, as most programs compute.") +
+                      card(tour.exact, certificate_directory(tour.exact.method),
+                           "Rational numbers: slower, and nothing is rounded."),
                   "class=\"cards\""));
 }
 
@@ -104,15 +107,26 @@ std::string families() {
   return list;
 }
 
+/// Which of the methods read coplanar contacts otherwise than the rest.
+std::string transversal_in_words(const Tour& tour) {
+  std::string names;
+  for (const FuzzFigures& f : tour.fuzz) {
+    const Method* const m = find_method(f.method);
+    if (m == nullptr || m->contract.convention != Convention::transversal) continue;
+    names += (names.empty() ? "" : ", ") + code(f.method) + " (" + escape(m->card.reference) + ")";
+  }
+  if (names.empty()) return "";
+  return "To some of them a segment in the triangle's plane is a miss, and they are judged by that convention: " +
+         names + ".";
+}
+
 std::string fuzzing(const Tour& tour) {
   std::string rows = "<tr><th>method</th><th>cases judged</th><th>wrong</th><th>share</th><th></th></tr>\n";
   for (const FuzzFigures& f : tour.fuzz) rows += fuzz_row(f);
   return section("Several methods, the same hunt",
                  paragraph("Fuzzing makes cases on purpose where they are hard. Binary32 methods are judged only on "
                            "coordinates that binary32 holds. " +
-                           code("mt-") +
-                           " is the test of M&ouml;ller and Trumbore; it calls a segment in the triangle's plane a "
-                           "miss, and is judged by that convention.") +
+                           transversal_in_words(tour)) +
                      element("div", element("table", rows), "class=\"wide\"") +
                      paragraph("The cases come from these families, in equal parts:") +
                      element("ul", families(), "class=\"families\"") +
@@ -160,13 +174,13 @@ std::string remark(const PictureFigures& f) {
   return text;
 }
 
-std::string comparison(const PictureFigures& f) {
+std::string comparison(const PictureFigures& f, const std::string& exact) {
   const std::string all = grouped(static_cast<std::uint64_t>(f.width) * static_cast<std::uint64_t>(f.height));
   const std::string title =
       f.pixels == 0 ? "no pixel differs" : grouped(f.other_colour) + " of " + all + " pixels have another colour";
   return element("h3", code(f.method) + " against exact arithmetic: " + title) + paragraph(remark(f)) +
          element("div",
-                 picture(exact_picture(f.method), "exact (sf-rational)") +
+                 picture(exact_picture(f.method), "exact (" + escape(exact) + ")") +
                      picture(own_picture(f.method), escape(f.method)) +
                      picture(difference_picture(f.method), "magenta: another colour, yellow: another decision only"),
                  "class=\"pictures\"") +
@@ -178,7 +192,7 @@ std::string pictures(const Tour& tour) {
       "The same tests drive a ray tracer: a mesh from CGAL's collection under a very long lens, where large distances "
       "meet small triangles. Every pixel that differs is written as a case, and " +
       code("tribunal replay") + " explains it.");
-  for (const PictureFigures& f : tour.pictures) html += comparison(f);
+  for (const PictureFigures& f : tour.pictures) html += comparison(f, tour.exact.method);
   return section("What it does to a picture", html);
 }
 
@@ -230,18 +244,18 @@ std::string limits(const Tour& tour) {
 std::string further(const Tour& tour) {
   std::string commands;
   for (const std::string& command : tour.commands) commands += "$ " + escape(command) + "\n";
-  return section("Go on",
-                 paragraph("This page was made by these commands; each can be run alone, and with the same seed gives "
-                           "the same answers. " +
-                           code("tribunal") + " is " + code("build/release/tribunal") + ".") +
-                     element("pre", commands) +
-                     paragraph("Your own data: put segments and triangles in a case file, one JSON object a line, and "
-                               "ask any method, or put a method on trial with your cases among the rest:") +
-                     element("pre",
-                             "$ tribunal methods\n$ tribunal classify --method sf-rational,sf-double --in "
-                             "cases.jsonl\n$ tribunal certify --method mt-double --cases cases.jsonl --out "
-                             "certificate-mt-double\n") +
-                     paragraph(code("tribunal COMMAND --help") + " says more."));
+  const std::string both = escape(tour.exact.method + "," + tour.floating.method), own = escape(tour.floating.method);
+  return section(
+      "Go on", paragraph("This page was made by these commands; each can be run alone, and with the same seed gives "
+                         "the same answers. " +
+                         code("tribunal") + " is " + code("build/release/tribunal") + ".") +
+                   element("pre", commands) +
+                   paragraph("Your own data: put segments and triangles in a case file, one JSON object a line, and "
+                             "ask any method, or put a method on trial with your cases among the rest:") +
+                   element("pre", "$ tribunal methods\n$ tribunal classify --method " + both + " --in cases.jsonl\n" +
+                                      "$ tribunal certify --method " + own + " --cases cases.jsonl --out certificate-" +
+                                      own + "\n") +
+                   paragraph(code("tribunal COMMAND --help") + " says more."));
 }
 
 std::string head() {
@@ -273,6 +287,8 @@ std::string footer(const Tour& tour) {
 }
 
 }  // namespace
+
+std::string certificate_directory(const std::string& method) { return "certificate-" + method; }
 
 std::string exact_picture(const std::string& method) { return "render/exact-" + method + ".png"; }
 

@@ -6,6 +6,7 @@
 
 #include "core/kernel.h"
 #include "exact/classes/class_table.h"
+#include "exact/methods.h"
 #include "tracer/demo/html.h"
 
 namespace tribunal {
@@ -84,13 +85,21 @@ const Json* drawn_row(const Json& chart, const std::string& population, const st
   return nullptr;
 }
 
+/// Double precision without a filter: the naive method that costs are held against.
+std::string plain_double() {
+  for (const Method& m : methods_with(Role::calibration)) {
+    if (m.contract.format == Format::binary64) return m.name;
+  }
+  return {};
+}
+
 std::string cost_on(const Json& chart, const std::string& population, const std::string& where) {
-  const Json* const floating = drawn_row(chart, population, "sf-double");
-  const Json* const filtered = drawn_row(chart, population, "sf-epick");
-  if (floating == nullptr || filtered == nullptr) return {};
+  const Json* const floating = drawn_row(chart, population, plain_double());
+  const Json* const certified = drawn_row(chart, population, flagship_method().name);
+  if (floating == nullptr || certified == nullptr) return {};
   const auto median = [](const Json& row) { return row.at("nanoseconds").at("median").get<double>(); };
   char text[60];
-  std::snprintf(text, sizeof text, "%.1f", median(*filtered) / median(*floating));
+  std::snprintf(text, sizeof text, "%.1f", median(*certified) / median(*floating));
   return std::string(text) + " times as long " + where;
 }
 
@@ -136,8 +145,8 @@ std::string cost_in_words(const Json& chart) {
   const std::string random = cost_on(chart, "general", "on random points");
   const std::string degenerate = cost_on(chart, "degenerate", "on exactly degenerate ones");
   if (random.empty() || degenerate.empty()) return {};
-  return "In this run the exact test with a filter, <code>sf-epick</code>, took " + random +
-         " as <code>sf-double</code>, " + degenerate + ".";
+  return "In this run the exact test with a filter, <code>" + escape(flagship_method().name) + "</code>, took " +
+         random + " as <code>" + escape(plain_double()) + "</code>, " + degenerate + ".";
 }
 
 }  // namespace tribunal

@@ -75,7 +75,11 @@ struct FarQuestion {
 class Departures {
  public:
   Departures(const World& world, const Method& method, Visibility& visibility, KnownFaces& faces, RayTally& tally)
-      : world_(world), proves_(method.exact), visibility_(visibility), faces_(faces), tally_(tally) {}
+      : world_(world),
+        proves_(method.contract.exact && reads_point_sets(method.contract)),
+        visibility_(visibility),
+        faces_(faces),
+        tally_(tally) {}
 
   /// On the side of the origin. Adds what that cost.
   void near_sides(std::span<NearQuestion> questions);

@@ -3,15 +3,13 @@
 #include <limits>
 #include <type_traits>
 
+#include "core/capability.h"
 #include "exact/filtered/filtered.h"
 #include "tracer/accel/wide/queries.h"
 
 namespace tribunal {
 
 namespace {
-
-/// The method whose filter the tree's lanes compute: exact/filtered/filtered.h.
-constexpr std::string_view sifted_method = "sf-filtered";
 
 void put(ProbePacket& packet, std::size_t lane, const RayQuestion& q) {
   packet.set(lane, q.ray.o, q.ray.d.v, q.apart, no_face);
@@ -29,7 +27,7 @@ Cost cost_of(const PacketAnswer& a, std::size_t lane) {
 }  // namespace
 
 Visibility::Visibility(const World& world, const Method& method, RayTally& tally)
-    : world_(world), method_(method), sifts_(method.name == sifted_method), tally_(tally) {
+    : world_(world), method_(method), sifts_(has(method, Capability::tree_lanes)), tally_(tally) {
   for (const PolygonData& polygon : world.polygons) {
     if (sifts_) {
       filtered_.emplace_back(polygon);
@@ -76,8 +74,13 @@ void Visibility::count_certain(std::uint64_t tests, std::uint64_t hits) {
 /// Of two hits, as the method has it: the sign of t − other's t.
 Sign Visibility::order(const Ray& ray, std::uint32_t id, std::uint32_t other) const {
   const Triangle s = world_.triangles[id], t = world_.triangles[other];
-  return method_.compare_hits ? method_.compare_hits(ray, s, t)
-                              : sign_of(shading_parameter(ray, s) - shading_parameter(ray, t));
+  return method_.compare_hits ? method_.compare_hits(ray, s, t) : sign_of(parameter(ray, s) - parameter(ray, t));
+}
+
+/// The method's own parameter of a hit, if it yields one; else that of shading.
+double Visibility::parameter(const Ray& ray, const Triangle& t) const {
+  const std::optional<double> own = method_.parameter ? method_.parameter(ray, t) : std::nullopt;
+  return own ? *own : shading_parameter(ray, t);
 }
 
 /// Answers all questions: eight at a time if the method's filter runs on lanes, those of which it is not certain alone.

@@ -47,15 +47,15 @@ struct SegmentQuestion {
 
 /// One method looking at a world. One object a thread; counts into the caller's tally. Prepares every polygon.
 ///
-/// Which faces are asked depends on the world's acceleration; the answers do not. In mode `bvh` sf-filtered is asked
-/// only of faces of which its filter, on vector lanes, is not certain; the certain ones count as tests that the
+/// Which faces are asked depends on the world's acceleration; the answers do not. In mode `bvh` a method whose filter
+/// runs on vector lanes is asked only of faces of which those are not certain; the certain ones count as tests that the
 /// filter decided.
 class Visibility {
  public:
   Visibility(const World& world, const Method& method, RayTally& tally);
 
-  /// The first face on each ray: smallest t by the method's own order of hits (by t in double if it has none), ties by
-  /// lowest primitive id. A ray that overflowed hits nothing.
+  /// The first face on each ray: smallest t by the method's own order of hits (by its t if it has none, else by t in
+  /// double), ties by lowest primitive id. A ray that overflowed hits nothing.
   ///
   /// The tree is pruned by a proved bound: a face that is exactly hit lies in its box, so t is at most the upper
   /// end of the ray's span in that box; boxes whose span begins later hold only later hits. Only an inexact method
@@ -110,6 +110,7 @@ class Visibility {
   Answer ask_counted(const P& probe, std::uint32_t id, std::uint32_t apart);
   void count_certain(std::uint64_t tests, std::uint64_t hits);
   Sign order(const Ray& ray, std::uint32_t id, std::uint32_t other) const;
+  double parameter(const Ray& ray, const Triangle& t) const;
 
   const World& world_;
   const Method& method_;

@@ -1,0 +1,48 @@
+// What a method can do beside answering hit or miss, as values.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "core/method.h"
+
+namespace tribunal {
+
+enum class Capability : std::uint8_t {
+  contact,            ///< says which part of the target is met
+  order,              ///< orders two hits on a ray
+  parameter,          ///< yields the parameter t of a hit
+  class_id,           ///< tells the class of a probe and a triangle
+  batch,              ///< answers many queries at once
+  prepared_triangle,  ///< prepares a triangle
+  prepared_polygon,   ///< prepares a polygon
+  prepared_ray,       ///< prepares a ray
+  tree_lanes          ///< has its filter on the tree's vector lanes
+};
+
+inline constexpr std::array all_capabilities = {Capability::contact,
+                                                Capability::order,
+                                                Capability::parameter,
+                                                Capability::class_id,  //
+                                                Capability::batch,
+                                                Capability::prepared_triangle,
+                                                Capability::prepared_polygon,
+                                                Capability::prepared_ray,
+                                                Capability::tree_lanes};
+
+constexpr std::string_view name_of(Capability c) {
+  constexpr std::string_view names[] = {
+      "contact",          "order",        "parameter", "class", "batch", "prepared triangle",
+      "prepared polygon", "prepared ray", "lanes"};
+  return names[static_cast<int>(c)];
+}
+
+inline bool has(const Method& m, Capability c) {
+  const bool held[] = {m.tells_contact,       m.compare_hits != nullptr, m.parameter != nullptr,
+                       m.classify != nullptr, m.batch != nullptr,        m.prepare_triangle != nullptr,
+                       m.polygon != nullptr,  m.prepare_ray != nullptr,  m.on_tree_lanes};
+  return held[static_cast<std::size_t>(c)];
+}
+
+}  // namespace tribunal

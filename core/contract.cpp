@@ -1,0 +1,61 @@
+#include "core/contract.h"
+
+namespace tribunal {
+namespace {
+
+/// Joins what is not empty.
+std::string joined(std::string a, std::string_view separator, const std::string& b) {
+  if (!a.empty() && !b.empty()) a += separator;
+  return a + b;
+}
+
+std::string probes_of(const Contract& c) {
+  return joined(c.probes.segments ? "segment" : "", ", ", c.probes.rays ? "ray" : "");
+}
+
+std::string targets_of(const Contract& c) {
+  if (c.triangles == Triangles::any && c.polygons == Polygons::any) return "any triangle or polygon";
+  const char* const triangles[] = {"", "any triangle", "triangle"};
+  const char* const polygons[] = {"", "any polygon", "planar polygon"};
+  return joined(triangles[static_cast<int>(c.triangles)], ", ", polygons[static_cast<int>(c.polygons)]);
+}
+
+/// `kind` is empty where there is one kind of target, or the reading is that of both.
+std::string boundary_in_words(Boundary b, const std::string& kind) {
+  const std::string of = kind.empty() ? " " : " " + kind + " ";
+  switch (b) {
+    case Boundary::closed:
+      return "";
+    case Boundary::open:
+      return "open" + of + "boundary";
+    case Boundary::half_open:
+      return "half-open" + of + "edges";
+    case Boundary::unspecified:
+      return "no" + of + "boundary";
+  }
+  return "";
+}
+
+std::string boundaries_of(const Contract& c) {
+  if (c.polygons == Polygons::none) return boundary_in_words(c.boundary, "");
+  if (c.triangles == Triangles::none || c.boundary == c.polygon_boundary) {
+    return boundary_in_words(c.polygon_boundary, "");
+  }
+  return joined(boundary_in_words(c.boundary, "triangle"), ", ", boundary_in_words(c.polygon_boundary, "polygon"));
+}
+
+std::string restrictions_of(const Contract& c) {
+  const char* const ends[] = {"", "open ends", "no ends"};
+  std::string words = c.triangles == Triangles::proper ? "no degenerate operand" : "";
+  words = joined(words, ", ", boundaries_of(c));
+  words = joined(words, ", ", ends[static_cast<int>(c.ends)]);
+  return joined(words, ", ", c.culling == Culling::back_faces ? "back faces culled" : "");
+}
+
+}  // namespace
+
+std::string in_words(const Contract& c) {
+  return joined(joined(probes_of(c), "; ", targets_of(c)), ", ", restrictions_of(c));
+}
+
+}  // namespace tribunal
