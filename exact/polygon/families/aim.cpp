@@ -32,7 +32,7 @@ PolygonTurn polygon_turn_of(std::uint64_t k, std::size_t levels) {
   return {known, way % 2 == 1, round % levels};
 }
 
-Ends draw_piercing(Draw& draw, const PlanePoint& x, Approach approach) {
+ProbeEnds draw_piercing(Draw& draw, const PlanePoint& x, Approach approach) {
   const std::int64_t du = draw.between(-2, 2);
   const std::int64_t dv = draw.between(-2, 2);
   const std::int64_t up = draw.between(1, 3);
@@ -40,7 +40,7 @@ Ends draw_piercing(Draw& draw, const PlanePoint& x, Approach approach) {
   Lattice3 near_end{x.u + du * up, x.v + dv * up, up}, far_end{x.u - du * down, x.v - dv * down, -down};
   if (draw.below(2) == 0) std::swap(near_end, far_end);
   if (approach == Approach::through) return {near_end, far_end};
-  return approach == Approach::from ? Ends{in_plane(x), far_end} : Ends{near_end, in_plane(x)};
+  return approach == Approach::from ? ProbeEnds{in_plane(x), far_end} : ProbeEnds{near_end, in_plane(x)};
 }
 
 Aim draw_aim(std::uint64_t k, std::size_t levels, Draw& draw) {

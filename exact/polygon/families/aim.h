@@ -21,7 +21,7 @@ PolygonTurn polygon_turn_of(std::uint64_t k, std::size_t levels);
 struct Aim {
   PolygonTurn turn;
   PlanePoint at;
-  Ends ends;
+  ProbeEnds ends;
 
   const std::vector<PlaneRing>& rings() const { return all_shapes()[turn.construction.shape].rings; }
 };
@@ -29,7 +29,7 @@ struct Aim {
 Aim draw_aim(std::uint64_t k, std::size_t levels, Draw& draw);
 
 /// Through, from or to a point of the plane, along a random direction that leaves the plane.
-Ends draw_piercing(Draw& draw, const PlanePoint& x, Approach approach);
+ProbeEnds draw_piercing(Draw& draw, const PlanePoint& x, Approach approach);
 
 /// The shape and the probe under the map. The construction is kept if no coordinate of M·x + o exceeds the format's
 /// integers.

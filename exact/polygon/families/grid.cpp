@@ -30,7 +30,7 @@ Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
   const auto u = static_cast<int>(draw.between(-1, 13));
   const auto v = static_cast<int>(draw.between(-1, 13));
   const auto approach = static_cast<Approach>(draw.below(approach_count));
-  const Ends ends = draw_piercing(draw, {u, v}, approach);
+  const ProbeEnds ends = draw_piercing(draw, {u, v}, approach);
   return {.query = {image(is_ray, map, ends, format, draw), image(map, rings)},
           .format = format,
           .level = static_cast<std::uint16_t>(level)};

@@ -20,7 +20,7 @@ std::int64_t coordinate(const AffineMap& map, std::size_t axis, const Lattice3& 
 }
 
 /// It has no offset, and may be larger than doubles go until it is scaled.
-std::array<Scaled, 3> direction_between(const AffineMap& map, const Ends& ends) {
+std::array<Scaled, 3> direction_between(const AffineMap& map, const ProbeEnds& ends) {
   std::array<Scaled, 3> d;
   for (std::size_t i = 0; i < 3; ++i) {
     d[i] = {coordinate(map, i, ends.to) - coordinate(map, i, ends.from), map.scale[i]};
@@ -63,7 +63,7 @@ PolygonData image(const AffineMap& map, std::span<const PlaneRing> rings) {
   return polygon;
 }
 
-Extent extent_of(const AffineMap& map, std::size_t axis, std::span<const PlaneRing> rings, const Ends& ends) {
+Extent extent_of(const AffineMap& map, std::size_t axis, std::span<const PlaneRing> rings, const ProbeEnds& ends) {
   Extent extent{std::numeric_limits<std::int64_t>::max(), std::numeric_limits<std::int64_t>::min()};
   const auto include = [&](const Lattice3& x) {
     const std::int64_t y = coordinate(map, axis, x);
@@ -77,7 +77,7 @@ Extent extent_of(const AffineMap& map, std::size_t axis, std::span<const PlaneRi
   return extent;
 }
 
-Probe image(bool is_ray, const AffineMap& map, const Ends& ends, Format format, Draw& draw,
+Probe image(bool is_ray, const AffineMap& map, const ProbeEnds& ends, Format format, Draw& draw,
             std::optional<int> direction_scale) {
   if (!is_ray) return Segment{image(map, ends.from), image(map, ends.to)};
   const std::array<Scaled, 3> d = direction_between(map, ends);

@@ -18,7 +18,7 @@ using Lattice3 = std::array<std::int64_t, 3>;
 constexpr Lattice3 in_plane(const PlanePoint& x) { return {x.u, x.v, 0}; }
 
 /// A probe before the map: a segment, or a ray from the one point through the other.
-struct Ends {
+struct ProbeEnds {
   Lattice3 from, to;
 };
 
@@ -41,12 +41,12 @@ Point3 image(const AffineMap& map, const Lattice3& x);
 PolygonData image(const AffineMap& map, std::span<const PlaneRing> rings);
 
 /// The least and the largest coordinate on one axis of M·x, without offset, for the rings' vertices and both ends.
-Extent extent_of(const AffineMap& map, std::size_t axis, std::span<const PlaneRing> rings, const Ends& ends);
+Extent extent_of(const AffineMap& map, std::size_t axis, std::span<const PlaneRing> rings, const ProbeEnds& ends);
 
 /// The segment; or the ray, exactly, its direction as large as the geometry times 2^direction_scale or a power of two
 /// that is drawn: that changes no contact. Ends that coincide give a segment that is a point or a direction that is
 /// zero.
-Probe image(bool is_ray, const AffineMap& map, const Ends& ends, Format format, Draw& draw,
+Probe image(bool is_ray, const AffineMap& map, const ProbeEnds& ends, Format format, Draw& draw,
             std::optional<int> direction_scale = {});
 
 /// A number above the level before, up to and with this one.

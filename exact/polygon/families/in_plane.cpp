@@ -6,7 +6,7 @@ namespace tribunal {
 namespace {
 
 /// At integer points around the shape; one time in eight a point.
-Ends draw_ends(Draw& draw) {
+ProbeEnds draw_ends(Draw& draw) {
   std::int64_t end[4];
   for (std::int64_t& e : end) e = draw.between(-2, 14);
   const Lattice3 from{end[0], end[1], 0}, to{end[2], end[3], 0};
@@ -18,7 +18,7 @@ Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
   const std::span<const int> fills = polygon_fills(format);
   const PolygonTurn turn = polygon_turn_of(k, fills.size());
   const AffineMap map = draw_polygon_map(draw, format, fills[turn.level]);
-  const Ends ends = draw_ends(draw);
+  const ProbeEnds ends = draw_ends(draw);
   return {
       .query = {image(turn.is_ray, map, ends, format, draw), image(map, all_shapes()[turn.construction.shape].rings)},
       .format = format,

@@ -81,7 +81,7 @@ PlanePoint draw_wall_point(Draw& draw, const Wall& wall) {
 }
 
 /// Along the third axis, up to 2¹⁴ long; 16·2^bits·2^longest and the wall stay within the format's integers.
-Ends draw_ends(Draw& draw, Format format, const PlanePoint& x, int bits) {
+ProbeEnds draw_ends(Draw& draw, Format format, const PlanePoint& x, int bits) {
   const int longest = digits_of(format) - bits - 6;
   std::int64_t length = std::int64_t{1} << draw.between(0, std::min(longest, 14));
   const auto approach = static_cast<Approach>(draw.below(approach_count));
@@ -97,7 +97,7 @@ Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
   const PlanePoint x = draw_wall_point(draw, wall);
   const int bits = format == Format::binary32 ? 4 : 30;
   const AffineMap map = draw_map(draw, bits);
-  const Ends ends = draw_ends(draw, format, x, bits);
+  const ProbeEnds ends = draw_ends(draw, format, x, bits);
   return {.query = {image(turn_of(k, 1).is_ray, map, ends, format, draw), image(map, wall.rings)},
           .format = format,
           .level = static_cast<std::uint16_t>(level)};

@@ -16,7 +16,7 @@ Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
   const auto bits = static_cast<int>(draw.between(0, digits_of(format) - polygon_image_bits - 1));
   AffineMap map = draw_polygon_map(draw, format, bits);
   const int lowest = least_exponent(format) + digits_of(format) + polygon_image_bits;
-  const Ends points = aim.turn.is_ray ? Ends{aim.ends.from, aim.ends.from} : aim.ends;
+  const ProbeEnds points = aim.turn.is_ray ? ProbeEnds{aim.ends.from, aim.ends.from} : aim.ends;
   const std::uint64_t first = draw.below(3);
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t axis = (first + i) % 3;
