@@ -91,8 +91,8 @@ bool belongs(const SampleRow& row, const SampledStream& stream) {
 
 std::string name_of(const SampledStream& s) { return s.family + " " + std::string(tribunal::name_of(s.format)); }
 
-/// Every class, construction or outcome that is due of every stream that the method takes, empty ones too; rays only
-/// where there are some.
+/// Every class, construction or outcome that is due of every stream that the method takes, by segments and by rays,
+/// empty ones too.
 void add_strata(Certificate& c) {
   for (std::size_t i = 0; i < c.streams.size(); ++i) {
     const SampledStream& stream = c.streams[i];
@@ -132,14 +132,6 @@ void add_stream_gaps(Certificate& c) {
 
 std::string outside_contract(const Certificate& c) { return "outside the method's contract: " + in_words(c.contract); }
 
-/// A construction that came up with the other kind of probe is not missing.
-bool came_up_otherwise(const Certificate& c, const Stratum& empty) {
-  const Slot other = with_other_probe(empty.slot);
-  if (other == empty.slot) return false;
-  return std::ranges::any_of(
-      c.strata, [&](const Stratum& s) { return s.stream == empty.stream && s.slot == other && s.count.asked > 0; });
-}
-
 /// Every stratum in which nothing was judged, or some of it was refused.
 void add_class_gaps(Certificate& c) {
   for (const Stratum& s : c.strata) {
@@ -149,7 +141,7 @@ void add_class_gaps(Certificate& c) {
       what += ": " + std::to_string(s.count.unsupported) + " of " + std::to_string(s.count.asked);
       c.gaps.push_back({what, outside_contract(c), true});
     }
-    if (s.count.asked > 0 || came_up_otherwise(c, s)) continue;
+    if (s.count.asked > 0) continue;
     if (stream.aims_at_classes) {
       c.gaps.push_back({what, "no case was drawn", false});
     } else {

@@ -117,12 +117,6 @@ bool is_of_rays(Slot slot) {
   return is_construction(slot) ? construction_slots().of_ray(slot) : outcome_slots().of_ray(slot);
 }
 
-Slot with_other_probe(Slot slot) {
-  if (is_class(slot)) return slot;
-  const Twice slots = is_construction(slot) ? construction_slots() : outcome_slots();
-  return slots.at(slots.index(slot), !slots.of_ray(slot));
-}
-
 std::string slot_name(Slot slot) {
   if (!is_class(slot)) {
     const std::string name = is_outcome(slot) ? name_of(outcome_of(slot)) : name_of(construction_of(slot));
@@ -162,7 +156,7 @@ const std::vector<SlotGroup>& slot_groups(Operands operands) {
 std::vector<Slot> slots_due(Operands operands, bool aimed) {
   std::vector<Slot> due;
   for (Slot slot = slots_of(operands).first; slot < slots_of(operands).end; ++slot) {
-    if (is_class(slot) || (!is_of_rays(slot) && (aimed ? is_construction(slot) : is_outcome(slot)))) {
+    if (is_class(slot) || (aimed ? is_construction(slot) : is_outcome(slot))) {
       due.push_back(slot);
     }
   }

@@ -37,9 +37,6 @@ Slot slot_of(const Construction& construction, bool of_ray);
 /// Whether the slot's cases have rays, else segments.
 bool is_of_rays(Slot slot);
 
-/// The slot of the same construction or outcome with the other kind of probe; of a class, itself.
-Slot with_other_probe(Slot slot);
-
 /// "C017", "R017", "comb / outer corner / through", "edge", "none, not planar".
 std::string slot_name(Slot slot);
 

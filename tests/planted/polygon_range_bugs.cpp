@@ -52,7 +52,7 @@ Answer subnormal_beside_normal(const Probe& probe, const Polygon& polygon) {
       if (std::fabs((*p)[axis]) < least_normal) (*p)[axis] = 0;
     }
   }
-  return about(query.polygon(), query.probe, polygon);
+  return about(query.polygon, query.probe, polygon);
 }
 
 double truncated(double x, int bits) {
@@ -70,7 +70,7 @@ Answer truncated_at_extremes(const Probe& probe, const Polygon& polygon) {
     if (most >= small && most <= large) continue;
     for (Point3* p : points) (*p)[axis] = truncated((*p)[axis], 40);
   }
-  return about(query.polygon(), query.probe, polygon);
+  return about(query.polygon, query.probe, polygon);
 }
 
 /// By coordinates; differences of halves do not overflow.
