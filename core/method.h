@@ -51,6 +51,11 @@ struct Method {
   /// Answers to many queries at once, one each, as `ask` would give them; empty if the method has no batch form.
   /// The operands are finite.
   std::function<void(std::span<const Query>, std::span<Answer>)> batch{};
+  bool batch_by_ask = false;  ///< the batch form asks one by one, to save calls; it cannot differ from `ask`
+
+  /// More about the fault in the last answer that the calling thread was given, e.g. "SIGSEGV"; empty if the method
+  /// has no faults, or ends the command at the first.
+  std::function<std::string()> last_fault{};
 
   /// Its test of polygons with at least one vertex and finite coordinates; empty if it takes none.
   std::function<PreparedPolygon(const Polygon&)> polygon{};

@@ -287,7 +287,7 @@ void log_own_cases(ChainedLog& log, const Method& method, const std::vector<type
       if (takes(method, format)) given = answer(i);
       const Judgement j = judge(method, truths[i], given);
       row.counts[slot_of(truths[i])].add(j, plain(given).stage);
-      if (j == Judgement::wrong) wrong.push_back(with_finding(cases[i], method, truths[i], given));
+      if (j == Judgement::wrong) wrong.push_back(with_steady_finding(cases[i], method, truths[i], given));
     }
     const std::uint64_t n = total_of(row).asked;
     if (n == 0) continue;

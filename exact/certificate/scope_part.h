@@ -35,7 +35,7 @@ struct ScopePart {
     const Judgement j = judge(method, truth, answer);
     count.add(j, plain(answer).stage);
     if (j != Judgement::unsupported) judged.set(slot_of(truth));
-    hash.add(static_cast<std::uint8_t>(plain(answer).status == Status::ok ? plain(answer).hit : 2));
+    hash.add(byte_of(plain(answer)));
     if (j == Judgement::wrong) keep(slot_of(truth), query);
   }
 
@@ -62,6 +62,11 @@ struct ScopePart {
   }
 
  private:
+  static std::uint8_t byte_of(const Answer& answer) {
+    if (answer.status == Status::ok) return answer.hit ? 1 : 0;
+    return is_fault(answer.status) ? 3 : 2;
+  }
+
   template <class MakeQuery>
   void keep(Slot slot, const MakeQuery& query) {
     if (wrong_slots.test(slot)) return;

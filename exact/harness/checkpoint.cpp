@@ -23,7 +23,19 @@ Json plan_record(const BasicFuzzPlan<On>& plan) {
 
 template <class On>
 Json finding_record(const BasicFinding<On>& f) {
-  return {{"record", "finding"}, {"method", f.method}, {"stream", f.stream}, {"case", f.k}};
+  Json record = {{"record", "finding"}, {"method", f.method}, {"stream", f.stream}, {"case", f.k}};
+  if (is_fault(plain(f.answer).status)) record["fault"] = fault_name(plain(f.answer).status);
+  return record;
+}
+
+/// The answer is asked for again, but for a fault, which may have taken its time.
+template <class On>
+typename On::Answer answer_of(const Method& method, const typename On::Query& query, const Json& record,
+                              const Where& where) {
+  if (!record.contains("fault")) return method.ask(query);
+  const Status fault = fault_named(string_of(record, "fault", where));
+  if (!is_fault(fault)) where.key("fault").fail("no such fault");
+  return {refusal(fault)};
 }
 
 /// Case and answer are made again from their numbers.
@@ -34,7 +46,7 @@ BasicFinding<On> finding_from(const BasicFuzzPlan<On>& plan, const Json& record,
   const std::uint64_t k = number_of(record, "case", where);
   const BasicStream<On>& source = plan.streams[stream];
   const typename On::Trial trial = source.family->make(source.format, plan.seed, k);
-  return {method, stream, k, trial, On::truth_of(trial, k), plan.methods[method].ask(trial.query)};
+  return {method, stream, k, trial, On::truth_of(trial, k), answer_of<On>(plan.methods[method], trial.query, record, where)};
 }
 
 template <class On>

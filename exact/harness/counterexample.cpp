@@ -25,9 +25,13 @@ auto answer_in_contract(const Method& method, Format format, const Q& query, con
 
 /// 1, 0, or null where the method does not take the operands.
 template <class C, class T>
-Json every_answer(const C& c, const T& truth) {
+Json every_answer(const C& c, const T& truth, const Method& on_trial, const Answer& its_answer) {
   Json answers = Json::object();
   for (const Method& method : all_methods()) {
+    if (method.name == on_trial.name && is_fault(its_answer.status)) {
+      answers[method.name] = Json();
+      continue;
+    }
     const Answer answer = plain(answer_in_contract(method, c.format, c.query, truth));
     answers[method.name] = answer.status == Status::ok ? Json(answer.hit ? 1 : 0) : Json();
   }
@@ -38,11 +42,11 @@ template <class C, class T>
 Json finding_of(const C& c, const Method& method, const T& truth, const Answer& answer) {
   Json finding;
   finding["method"] = method.name;
-  finding["answered"] = answer.hit ? 1 : 0;
+  if (!is_fault(answer.status)) finding["answered"] = answer.hit ? 1 : 0;
   finding["expected"] = counts_as_hit(truth.contact, method.convention) ? 1 : 0;
   finding["convention"] = name_of(method.convention);
   finding["exact"] = exact_evidence(c.query);
-  finding["answers"] = every_answer(c, truth);
+  finding["answers"] = every_answer(c, truth, method, answer);
   finding["made_with"] = environment();
   return finding;
 }
@@ -52,13 +56,11 @@ constexpr int times_for_known_fault = 32;
 
 bool blames_a_fault(const Json& finding) { return finding.is_object() && finding.contains("fault"); }
 
-/// In place of an answer, the fault. What it answered is not said: it answered one thing and then another.
+/// In place of an answer, the fault. What it answered is not said: nothing, or one thing and then another.
 template <class C, class T>
 C with_fault(C c, const Method& method, const T& truth, const Fault& fault) {
-  c = with_finding(std::move(c), method, truth, {});
-  c.finding.erase("answered");
-  c.finding["answers"][method.name] = Json();
-  c.finding["fault"] = name_of(fault.kind);
+  c = with_finding(std::move(c), method, truth, {refusal(fault.kind)});
+  c.finding["fault"] = fault_name(fault.kind);
   if (!fault.detail.empty()) c.finding["detail"] = fault.detail;
   return c;
 }
@@ -68,15 +70,23 @@ template <class Q, class T>
 auto observe_wrong(const Method& method, const Q& query, const T& truth) {
   auto seen = observe(method, query);
   const bool right_now = judge(method, truth, seen.answer) != Judgement::wrong;
-  if (!seen.fault && right_now) seen.fault = Fault{FaultKind::answers_differ};
+  if (!seen.fault && right_now) seen.fault = Fault{Status::differs_when_repeated};
   return seen;
 }
 
-/// The case, which the method answered wrongly, with its finding; shrunk if the method answers it the same every time.
+/// What is known of a fault that was seen before: the same again, or that it did not come again.
+Fault known_fault(Status before, const Fault& now) {
+  if (now.kind == before) return now;
+  return {before, "once, not when asked again"};
+}
+
+/// The case, which the method answered wrongly, or by the fault `before`, with its finding; shrunk if the method answers
+/// it the same every time.
 template <class C>
-C with_shrunk_finding(C c, const Method& method) {
+C with_shrunk_finding(C c, const Method& method, Status before = Status::ok) {
   auto truth = exact_truth(c.query);
   auto seen = observe_wrong(method, c.query, truth);
+  if (is_fault(before)) seen.fault = known_fault(before, seen.fault);
   if (!seen.fault) {
     c.query = shrink(method, c.query, c.format);
     truth = exact_truth(c.query);
@@ -136,6 +146,14 @@ std::string mistaken_expectation(const C& c, const T& truth) {
          describe(truth);
 }
 
+template <class C, class T, class A>
+C asked_again_with_finding(C c, const Method& method, const T& truth, const A& answer) {
+  Fault fault{plain(answer).status};
+  if (fault && method.last_fault) fault.detail = method.last_fault();
+  if (!fault && method.segment) fault = asked_again(method, c.query, answer);
+  return fault ? with_fault(std::move(c), method, truth, fault) : with_finding(std::move(c), method, truth, answer);
+}
+
 }  // namespace
 
 Case with_finding(Case c, const Method& method, const Truth& truth, const Answer& answer) {
@@ -153,9 +171,9 @@ PolygonCase with_finding(PolygonCase c, const Method& method, const PolygonTruth
 
 template <class On>
 typename On::Case to_counterexample(const Method& method, const typename On::Query& query, Format format,
-                                    const std::string& source) {
+                                    const std::string& source, Status before) {
   typename On::Case c{.format = format, .query = query, .source = source};
-  c = with_shrunk_finding(std::move(c), method);
+  c = with_shrunk_finding(std::move(c), method, before);
   c.id = method.name + "-" + id_part(exact_truth(c.query));
   return c;
 }
@@ -163,7 +181,7 @@ typename On::Case to_counterexample(const Method& method, const typename On::Que
 template <class On>
 typename On::Case to_counterexample(const BasicFuzzPlan<On>& plan, const BasicFinding<On>& f) {
   const BasicStream<On>& stream = plan.streams[f.stream];
-  auto c = to_counterexample<On>(plan.methods[f.method], f.trial.query, stream.format, "");
+  auto c = to_counterexample<On>(plan.methods[f.method], f.trial.query, stream.format, "", plain(f.answer).status);
   const std::string fmt(name_of(stream.format));
   c.id += "-" + std::string(stream.family->name) + "-" + fmt + "-" + std::to_string(f.k);
   c.finding["origin"] = {{"family", stream.family->name},
@@ -173,6 +191,23 @@ typename On::Case to_counterexample(const BasicFuzzPlan<On>& plan, const BasicFi
                          {"stress", stream.family->levels(stream.format)[f.trial.level]},
                          {"axis", stream.family->axis}};
   return c;
+}
+
+template <class On>
+void ask_again(const BasicFuzzPlan<On>& plan, BasicFuzzReport<On>& report) {
+  for (BasicFinding<On>& f : report.findings) {
+    f.fault = {plain(f.answer).status};
+    if (!f.fault) f.fault = observe_wrong(plan.methods[f.method], f.trial.query, f.truth).fault;
+  }
+}
+
+Case with_steady_finding(Case c, const Method& method, const Truth& truth, const Answer& answer) {
+  return asked_again_with_finding(std::move(c), method, truth, answer);
+}
+
+PolygonCase with_steady_finding(PolygonCase c, const Method& method, const PolygonTruth& truth,
+                                const PolygonAnswer& answer) {
+  return asked_again_with_finding(std::move(c), method, truth, answer);
 }
 
 template <class C>
@@ -188,10 +223,13 @@ C shrunk(C c, const Method& method) {
   return c;
 }
 
-template Case to_counterexample<OnTriangles>(const Method&, const Query&, Format, const std::string&);
+template Case to_counterexample<OnTriangles>(const Method&, const Query&, Format, const std::string&, Status);
+template void ask_again(const FuzzPlan&, FuzzReport&);
+template void ask_again(const PolygonFuzzPlan&, PolygonFuzzReport&);
 template Case to_counterexample(const FuzzPlan&, const Finding&);
 template Case shrunk(Case, const Method&);
-template PolygonCase to_counterexample<OnPolygons>(const Method&, const PolygonQuery&, Format, const std::string&);
+template PolygonCase to_counterexample<OnPolygons>(const Method&, const PolygonQuery&, Format, const std::string&,
+                                                         Status);
 template PolygonCase to_counterexample(const PolygonFuzzPlan&, const PolygonFinding&);
 template PolygonCase shrunk(PolygonCase, const Method&);
 

@@ -23,10 +23,19 @@ Json exact_evidence(const PolygonQuery& query);
 Case with_finding(Case c, const Method& method, const Truth& truth, const Answer& answer);
 PolygonCase with_finding(PolygonCase c, const Method& method, const PolygonTruth& truth, const PolygonAnswer& answer);
 
-/// The query, shrunk, likewise; `source` says where it came from.
+/// The same, and the method, if it can be asked, is asked again: a fault takes the place of what it answered.
+Case with_steady_finding(Case c, const Method& method, const Truth& truth, const Answer& answer);
+PolygonCase with_steady_finding(PolygonCase c, const Method& method, const PolygonTruth& truth,
+                                const PolygonAnswer& answer);
+
+/// Asks all findings of a report again, and notes the faults.
+template <class On>
+void ask_again(const BasicFuzzPlan<On>& plan, BasicFuzzReport<On>& report);
+
+/// The query, shrunk, likewise; `source` says where it came from, `before` what fault was seen then, if any.
 template <class On>
 typename On::Case to_counterexample(const Method& method, const typename On::Query& query, Format format,
-                                    const std::string& source);
+                                    const std::string& source, Status before = Status::ok);
 
 /// The finding, shrunk, likewise; its origin is the family, seed, case number and stress level it came from.
 template <class On>

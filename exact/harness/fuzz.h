@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "exact/families/family.h"
+#include "exact/harness/fault.h"
 #include "exact/harness/slot.h"
 #include "exact/io/case_io.h"
 
@@ -85,6 +86,7 @@ struct BasicFinding {
   typename On::Trial trial;
   typename On::Truth truth;
   typename On::Answer answer;
+  Fault fault{};  ///< what showed when it was asked again (`ask_again`)
 };
 
 template <class On>
@@ -93,7 +95,8 @@ struct BasicFuzzReport {
   std::uint64_t run_here = 0;  ///< of these, in this run
   double seconds = 0;          ///< of this run
   CountTable counts;
-  std::vector<BasicFinding<On>> findings;  ///< the first of each method × stream × class or outcome, by case number
+  std::vector<BasicFinding<On>> findings;  ///< the first of each method × stream × class or outcome × fault, by case
+                                           ///< number
 };
 
 /// Before the first case.

@@ -34,8 +34,9 @@ Truth truth_of(const Trial& trial, std::uint64_t k);
 
 enum class Judgement : std::uint8_t { right, wrong, unsupported };
 
-/// Judged by the method's own convention: coplanar contacts are misses to a transversal method.
+/// Judged by the method's own convention: coplanar contacts are misses to a transversal method. A fault is wrong.
 inline Judgement judge(const Method& method, const Truth& truth, const Answer& answer) {
+  if (is_fault(answer.status)) return Judgement::wrong;
   if (answer.status != Status::ok) return Judgement::unsupported;
   return answer.hit == counts_as_hit(truth.contact, method.convention) ? Judgement::right : Judgement::wrong;
 }

@@ -8,11 +8,17 @@ namespace {
 const Answer& plain(const Answer& answer) { return answer; }
 const Answer& plain(const PolygonAnswer& answer) { return answer.answer; }
 
+/// The fault that the answer stands for, with what the method knows of it.
+Fault last_fault(const Method& method, const Answer& answer) {
+  return {answer.status, method.last_fault ? method.last_fault() : ""};
+}
+
 template <class A, class Q>
 Asked<A> tried(const Method& method, const Q& query) {
   try {
     const A answer = method.ask(query);
     require_exact_rounding();  // another environment, left behind by one method, would spoil the next one's answer
+    if (is_fault(plain(answer).status)) return {A{refusal(Status::unsupported)}, last_fault(method, plain(answer))};
     return {answer, {}};
   } catch (const MethodFault& f) {
     return {A{refusal(Status::unsupported)}, f.fault()};
@@ -41,7 +47,7 @@ template <class Q, class A>
 Fault fault_when_asked(const Method& method, const Q& query, const A& first) {
   const Asked<A> again = tried<A>(method, query);
   if (again.fault) return again.fault;
-  return say_the_same(plain(again.answer), plain(first)) ? Fault{} : Fault{FaultKind::answers_differ};
+  return say_the_same(plain(again.answer), plain(first)) ? Fault{} : Fault{Status::differs_when_repeated};
 }
 
 template <class Q, class A>

@@ -84,6 +84,7 @@ PolygonAnswer within_contract(const Method& method, const PolygonTruth& truth, c
 }
 
 Judgement judge(const Method& method, const PolygonTruth& truth, const PolygonAnswer& answer) {
+  if (is_fault(answer.answer.status)) return Judgement::wrong;
   if (within_contract(method, truth, answer).answer.status != Status::ok) return Judgement::unsupported;
   if (method.exact && answer.planar != truth.planar) return Judgement::wrong;
   const bool right = answer.answer.hit == counts_as_hit(truth.contact, method.convention);
