@@ -51,7 +51,8 @@ struct Method {
   /// Answers to many queries at once, one each, as `ask` would give them; empty if the method has no batch form.
   /// The operands are finite.
   std::function<void(std::span<const Query>, std::span<Answer>)> batch{};
-  bool batch_by_ask = false;  ///< the batch form asks one by one, to save calls; it cannot differ from `ask`
+  /// `ask`, of one query after the other, where a call has a price of its own; empty if nothing is gained.
+  std::function<void(std::span<const Query>, std::span<Answer>)> ask_each{};
 
   /// More about the fault in the last answer that the calling thread was given, e.g. "SIGSEGV"; empty if the method
   /// has no faults, or ends the command at the first.

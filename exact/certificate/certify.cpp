@@ -104,15 +104,15 @@ class Simplest {
  public:
   /// `slot`: of the case before it was shrunk, which shrinking keeps.
   void offer(Slot slot, typename On::Case c) {
-    const auto [entry, fresh] = simplest_.try_emplace(slot, c);
+    const auto [entry, fresh] = simplest_.try_emplace({slot, c.finding.value("fault", "")}, c);
     if (!fresh && is_simpler(c.query, entry->second.query)) entry->second = c;
   }
   void log_into(ChainedLog& log) const {
-    for (const auto& [slot, c] : simplest_) log_counterexample(log, c);
+    for (const auto& [key, c] : simplest_) log_counterexample(log, c);
   }
 
  private:
-  std::map<Slot, typename On::Case> simplest_;
+  std::map<std::pair<Slot, std::string>, typename On::Case> simplest_;  ///< by slot × fault, if it is one
 };
 
 template <class On>
@@ -126,10 +126,10 @@ void offer_from_sets(Simplest<On>& simplest, const Method& method, const std::ve
 
 template <class On>
 void offer_from_sample(Simplest<On>& simplest, const BasicFuzzPlan<On>& plan, const BasicFuzzReport<On>& report) {
-  std::map<Slot, std::size_t> offered;
+  std::map<std::pair<Slot, Status>, std::size_t> offered;
   std::vector<const BasicFinding<On>*> chosen;
   for (const auto& f : report.findings) {
-    if (f.method == 0 && offered[slot_of(f.truth)]++ < shrunk_per_class) chosen.push_back(&f);
+    if (f.method == 0 && offered[{slot_of(f.truth), plain(f.answer).status}]++ < shrunk_per_class) chosen.push_back(&f);
   }
   Progress progress("shrink", "counterexamples", chosen.size());
   for (const auto* f : chosen) {

@@ -109,6 +109,50 @@ Json coverage_json(const BasicFuzzPlan<On>& plan, const BasicFuzzReport<On>& rep
   return object;
 }
 
+/// One kind of fault of one method.
+template <class On>
+struct FaultRow {
+  const BasicFinding<On>* first;
+  std::size_t findings;
+};
+
+/// By method × fault, of the findings that are faults.
+template <class On>
+std::map<std::pair<std::size_t, Status>, FaultRow<On>> faults_of(const BasicFuzzReport<On>& report) {
+  std::map<std::pair<std::size_t, Status>, FaultRow<On>> rows;
+  for (const BasicFinding<On>& f : report.findings) {
+    if (f.fault) ++rows.try_emplace({f.method, f.fault.kind}, FaultRow<On>{&f, 0}).first->second.findings;
+  }
+  return rows;
+}
+
+template <class On>
+std::string fault_lines(const BasicFuzzPlan<On>& plan, const BasicFuzzReport<On>& report) {
+  std::string text;
+  for (const auto& [key, row] : faults_of(report)) {
+    const auto& [method, fault] = key;
+    text += "FAULT: " + plan.methods[method].name + " " + std::string(fault_name(fault)) + ", in " +
+            std::to_string(row.findings) + " of the findings; first on " + name_of(plan.streams[row.first->stream]) +
+            " case " + std::to_string(row.first->k) + "\n";
+  }
+  return text;
+}
+
+template <class On>
+Json faults_json(const BasicFuzzPlan<On>& plan, const BasicFuzzReport<On>& report) {
+  Json rows = Json::array();
+  for (const auto& [key, row] : faults_of(report)) {
+    const auto& stream = plan.streams[row.first->stream];
+    rows.push_back({{"method", plan.methods[key.first].name},
+                    {"fault", fault_name(key.second)},
+                    {"findings", row.findings},
+                    {"family", stream.family->name},
+                    {"fmt", name_of(stream.format)},
+                    {"case", row.first->k}});
+  }
+  return rows;
+}
+
 /// Per method × family × format × class, or construction or outcome; nothing that varies from run to run.
 template <class On>
 Json summary(const BasicFuzzPlan<On>& plan, const BasicFuzzReport<On>& report) {
@@ -130,16 +174,20 @@ Json summary(const BasicFuzzPlan<On>& plan, const BasicFuzzReport<On>& report) {
           {"cases", report.cases},
           {triangles ? "classes_judged" : "polygons_judged", coverage_json(plan, report)},
           {"counts", rows},
+          {"faults", faults_json(plan, report)},
           {"environment", environment()}};
 }
 
+/// The first findings of each method, and the first of each kind of fault.
 template <class On>
 std::vector<typename On::Case> counterexamples(const BasicFuzzPlan<On>& plan, const BasicFuzzReport<On>& report,
                                                std::size_t keep) {
   std::vector<typename On::Case> cases;
   std::vector<std::size_t> kept(plan.methods.size());
+  const auto faults = faults_of(report);
   for (const BasicFinding<On>& f : report.findings) {
-    if (kept[f.method]++ < keep) cases.push_back(to_counterexample(plan, f));
+    const bool first_of_fault = f.fault && faults.at({f.method, f.fault.kind}).first == &f;
+    if (kept[f.method]++ < keep || first_of_fault) cases.push_back(to_counterexample(plan, f));
   }
   return cases;
 }
@@ -183,9 +231,10 @@ template <class On>
 int run(const Options& o, const BasicFuzzPlan<On>& plan) {
   if (o.relations) return run_relations(plan, o.out);
   watch_interrupts();  // from here on a signal leaves a checkpoint
-  const BasicFuzzReport<On> report = run_plan(o, plan);
+  BasicFuzzReport<On> report = run_plan(o, plan);
+  ask_again(plan, report);
   if (report.cases == 0) throw Failure(Exit::resources, "no case was run");
-  print(table(plan, report, o.levels) + coverage(plan, report) + totals(plan, report));
+  print(table(plan, report, o.levels) + coverage(plan, report) + fault_lines(plan, report) + totals(plan, report));
   const bool complete = is_complete(plan, report);
   if (!complete) {
     print("INTERRUPTED after " + std::to_string(report.cases) + " of " + std::to_string(plan.cases) + " cases" +

@@ -77,6 +77,8 @@ inline void ask_all(const Method& method, const std::vector<PolygonQuery>& queri
 inline void ask_all(const Method& method, const std::vector<Query>& queries, std::vector<Answer>& answers) {
   if (method.batch) {
     method.batch(queries, answers);
+  } else if (method.ask_each) {
+    method.ask_each(queries, answers);
   } else {
     ask_one_by_one(method, queries, answers);
   }
@@ -89,7 +91,7 @@ inline PolygonAnswer held_against_ask(const Method&, const PolygonQuery&, const 
 /// The answer, if the method says the same alone; else the fault. Checked where a batch is wrong, and on every sixteenth
 /// case.
 inline Answer held_against_ask(const Method& method, const Query& query, const Answer& by_batch) {
-  if (!method.batch || method.batch_by_ask || is_fault(by_batch.status)) return by_batch;
+  if (!method.batch || is_fault(by_batch.status)) return by_batch;
   const Answer by_ask = method.ask(query);
   if (is_fault(by_ask.status)) return by_ask;
   const bool same = by_ask.status == by_batch.status && by_ask.hit == by_batch.hit;
