@@ -1,6 +1,8 @@
 #include <memory>
 
 #include "exact/cli/command.h"
+#include "exact/harness/fuzz.h"
+#include "exact/io/failure.h"
 #include "exact/io/files.h"
 #include "exact/io/polygon_case_io.h"
 #include "exact/polygon/judge.h"
@@ -29,12 +31,17 @@ int run(const Options& o) {
   const std::vector<Method> methods = methods_named(o.methods);
   require_different(o.in, o.out);
   std::string lines;
+  bool any_fault = false;
   const auto answer = [&](const auto& c) {
-    for (const Method& m : methods) lines += from_answer(c.id, m, answer_to(m, c.query)).dump() + "\n";
+    for (const Method& m : methods) {
+      const auto given = answer_to(m, c.query);
+      any_fault |= is_fault(plain(given).status);
+      lines += from_answer(c.id, m, given).dump() + "\n";
+    }
   };
   for (const AnyCase& c : read_any_cases(o.in)) std::visit(answer, c);
   write_file(o.out, lines);
-  return 0;
+  return code(any_fault ? Exit::disagreement : Exit::ok);
 }
 
 }  // namespace

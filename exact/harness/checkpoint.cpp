@@ -46,7 +46,12 @@ BasicFinding<On> finding_from(const BasicFuzzPlan<On>& plan, const Json& record,
   const std::uint64_t k = number_of(record, "case", where);
   const BasicStream<On>& source = plan.streams[stream];
   const typename On::Trial trial = source.family->make(source.format, plan.seed, k);
-  return {method, stream, k, trial, On::truth_of(trial, k), answer_of<On>(plan.methods[method], trial.query, record, where)};
+  return {method,
+          stream,
+          k,
+          trial,
+          On::truth_of(trial, k),
+          answer_of<On>(plan.methods[method], trial.query, record, where)};
 }
 
 template <class On>

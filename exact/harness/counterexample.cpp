@@ -80,8 +80,8 @@ Fault known_fault(Status before, const Fault& now) {
   return {before, "once, not when asked again"};
 }
 
-/// The case, which the method answered wrongly, or by the fault `before`, with its finding; shrunk if the method answers
-/// it the same every time.
+/// The case, which the method answered wrongly, or by the fault `before`, with its finding; shrunk if the method
+/// answers it the same every time.
 template <class C>
 C with_shrunk_finding(C c, const Method& method, Status before = Status::ok) {
   auto truth = exact_truth(c.query);
@@ -229,7 +229,7 @@ template void ask_again(const PolygonFuzzPlan&, PolygonFuzzReport&);
 template Case to_counterexample(const FuzzPlan&, const Finding&);
 template Case shrunk(Case, const Method&);
 template PolygonCase to_counterexample<OnPolygons>(const Method&, const PolygonQuery&, Format, const std::string&,
-                                                         Status);
+                                                   Status);
 template PolygonCase to_counterexample(const PolygonFuzzPlan&, const PolygonFinding&);
 template PolygonCase shrunk(PolygonCase, const Method&);
 

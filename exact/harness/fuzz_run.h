@@ -88,8 +88,8 @@ inline PolygonAnswer held_against_ask(const Method&, const PolygonQuery&, const 
   return answer;
 }
 
-/// The answer, if the method says the same alone; else the fault. Checked where a batch is wrong, and on every sixteenth
-/// case.
+/// The answer, if the method says the same alone; else the fault. Checked where a batch is wrong, and on every
+/// sixteenth case.
 inline Answer held_against_ask(const Method& method, const Query& query, const Answer& by_batch) {
   if (!method.batch || is_fault(by_batch.status)) return by_batch;
   const Answer by_ask = method.ask(query);

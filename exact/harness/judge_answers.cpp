@@ -83,7 +83,8 @@ Status status_at(const Json& object, const Where& where) {
 
 /// The words of an answer that this program writes and does not judge are let through.
 Answer to_answer(const Json& object, const Where& where) {
-  require_keys(object, {"id", "method", "hit", "status", "class", "contact", "at", "stage", "planar", "fault", "detail"}, where);
+  require_keys(
+      object, {"id", "method", "hit", "status", "class", "contact", "at", "stage", "planar", "fault", "detail"}, where);
   const Status status = status_at(object, where);
   if (status != Status::ok) {
     if (object.contains("hit")) where.key("hit").fail("given with a status that is not \"ok\"");

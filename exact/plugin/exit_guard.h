@@ -3,8 +3,8 @@
 
 namespace tribunal {
 
-/// While one lives, an end of the process by exit is reported in one line, with Exit::disagreement as its code. One at a
-/// time.
+/// While one lives, an end of the process by exit is reported in one line, with Exit::disagreement as its code. One at
+/// a time.
 class ExitGuard {
  public:
   explicit ExitGuard(bool on);

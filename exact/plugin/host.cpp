@@ -95,8 +95,7 @@ Reply reply_to(const PluginCalls& calls, std::vector<char> bytes) {
   Reply reply;
   try {
     const Kind kind = in.take<Kind>();
-    reply.answers =
-        kind == Kind::polygon ? answers_about_polygon(calls, in) : answers_about_triangles(calls, kind, in);
+    reply.answers = kind == Kind::polygon ? answers_about_polygon(calls, in) : answers_about_triangles(calls, kind, in);
   } catch (const CallFailed& failed) {
     reply.fault = failed.fault;
   }
@@ -168,7 +167,8 @@ void host_plugin(const std::string& file, int socket) {
     told.failed_with = code(failure.exit());
     told.failure = failure.what();
   }
-  if (send_message(socket, message_of(told), no_deadline()) == Transfer::done && calls != nullptr) serve(*calls, socket);
+  if (send_message(socket, message_of(told), no_deadline()) == Transfer::done && calls != nullptr)
+    serve(*calls, socket);
 }
 
 }  // namespace tribunal

@@ -46,7 +46,9 @@ class IsolatedCalls : public PluginCalls {
 
   const Introduction& introduction() const { return introduction_; }
 
-  int ask(int probe, const double* query) const override { return answers_to(question(Kind::each, probe, 1, query), 1)[0]; }
+  int ask(int probe, const double* query) const override {
+    return answers_to(question(Kind::each, probe, 1, query), 1)[0];
+  }
 
   void ask_batch(int probe, std::size_t n, const double* queries, int* answers) const override {
     std::ranges::copy(answers_to(question(Kind::batch, probe, n, queries), n), answers);
@@ -80,12 +82,15 @@ class IsolatedCalls : public PluginCalls {
       return reply->answers;
     }
     server_.end(child, true);
-    throw CallFailed{good ? reply->fault : Fault{Status::gave_no_answer, "wrote to our socket"}};
+    throw CallFailed{good ? reply->fault : garbled()};
   }
+
+  static Fault garbled() { return {Status::gave_no_answer, "wrote to our socket"}; }
 
   /// How a child ended that did not answer.
   Fault fault_of_end(const Child& child, Transfer state) const {
-    const int status = server_.end(child, state == Transfer::late);
+    const int status = server_.end(child, state != Transfer::closed);
+    if (state == Transfer::garbled) return garbled();
     if (WIFEXITED(status)) return {Status::exited, "status " + std::to_string(WEXITSTATUS(status))};
     const int signal = WTERMSIG(status);
     if (state == Transfer::late && signal == SIGKILL) return {Status::timed_out, seconds_text(time_limit_)};
@@ -96,8 +101,7 @@ class IsolatedCalls : public PluginCalls {
   Child start() const {
     const Child child = server_.start();
     std::vector<char> bytes;
-    const Transfer state =
-        receive_message(child.socket, bytes, after_seconds(std::max(time_limit_, seconds_to_load)));
+    const Transfer state = receive_message(child.socket, bytes, after_seconds(std::max(time_limit_, seconds_to_load)));
     if (state != Transfer::done) {
       throw bad_input(file_, 0, describe(fault_of_end(child, state)) + " as it was loaded");
     }
@@ -108,7 +112,7 @@ class IsolatedCalls : public PluginCalls {
       return child;
     }
     server_.end(child, true);
-    if (!told) throw bad_input(file_, 0, "wrote to our socket as it was loaded");
+    if (!told) throw bad_input(file_, 0, describe(garbled()) + " as it was loaded");
     throw Failure(static_cast<Exit>(told->failed_with), told->failure);
   }
 

@@ -211,7 +211,9 @@ class Caller {
     const Coordinates x = coordinates_of(probe, t, line_.format);
     if (!is_finite(x)) return refusal(Status::unsupported);
     return line_.ask([&] { return line_.calls->ask(kind_of(probe), x.data()); },
-                     [&] { return Case{.query = {probe, t}}; });
+                     [&] {
+                       return Case{.query = {probe, t}};
+                     });
   }
 
   /// How many queries are asked in one call.

@@ -11,7 +11,7 @@
 namespace tribunal {
 namespace {
 
-constexpr std::uint64_t message_mark = 0x7472'6962'756e'616c;         ///< what is no message does not start so
+constexpr std::uint64_t message_mark = 0x7472'6962'756e'616c;  ///< what is no message does not start so
 constexpr std::uint64_t longest_message = std::uint64_t{1} << 32;
 
 /// Milliseconds for poll: at least one until the deadline is over; −1 for ever.
@@ -48,9 +48,8 @@ struct Head {
 
 Deadline after_seconds(double seconds) {
   constexpr double ever = 1e9;
-  return std::chrono::steady_clock::now() +
-         std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-             std::chrono::duration<double>(std::min(seconds, ever)));
+  return std::chrono::steady_clock::now() + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                                                std::chrono::duration<double>(std::min(seconds, ever)));
 }
 
 Transfer send_bytes(int socket, const void* bytes, std::size_t n, Deadline deadline) {
@@ -78,7 +77,7 @@ Transfer receive_message(int socket, std::vector<char>& bytes, Deadline deadline
   Head head{};
   const Transfer received = receive_bytes(socket, &head, sizeof head, deadline);
   if (received != Transfer::done) return received;
-  if (head.mark != message_mark || head.length > longest_message) return Transfer::closed;
+  if (head.mark != message_mark || head.length > longest_message) return Transfer::garbled;
   bytes.resize(head.length);
   return receive_bytes(socket, bytes.data(), bytes.size(), deadline);
 }

@@ -14,10 +14,10 @@ using Deadline = std::chrono::steady_clock::time_point;
 Deadline after_seconds(double seconds);
 inline Deadline no_deadline() { return Deadline::max(); }
 
-/// How far a transfer came.
-enum class Transfer { done, closed, late };
+/// How far a transfer came. `closed`: the other end is gone. `garbled`: what came is no message.
+enum class Transfer { done, closed, late, garbled };
 
-/// All bytes, or none that count. `closed`: the other end is gone.
+/// All bytes, or none that count.
 Transfer send_bytes(int socket, const void* bytes, std::size_t n, Deadline deadline);
 Transfer receive_bytes(int socket, void* bytes, std::size_t n, Deadline deadline);
 

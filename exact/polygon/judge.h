@@ -35,8 +35,8 @@ PolygonAnswer within_contract(const Method& method, const PolygonTruth& truth, c
 inline Answer within_contract(const Method&, const Truth&, const Answer& answer) { return answer; }
 
 /// By the method's own convention and promise: coplanar contacts are misses to a transversal method; probes that meet a
-/// ring edge and polygons that are not planar are not judged where the method promises nothing of them. A fault is wrong
-/// everywhere: to answer is promised of every query.
+/// ring edge and polygons that are not planar are not judged where the method promises nothing of them. A fault is
+/// wrong everywhere: to answer is promised of every query.
 Judgement judge(const Method& method, const PolygonTruth& truth, const PolygonAnswer& answer);
 
 }  // namespace tribunal

@@ -94,8 +94,9 @@ int ask_polygon(int, const double coordinates[6], const tribunal_polygon* polygo
 #define BATCH nullptr
 #endif
 
-const tribunal_plugin plugin = {TRIBUNAL_PLUGIN_ABI, "faulty", "segment, ray; any triangle", "fails now and then",
-                                nullptr, TRIBUNAL_BINARY64, TRIBUNAL_CLOSED, ask, BATCH};
+const tribunal_plugin plugin = {TRIBUNAL_PLUGIN_ABI,  "faulty", "segment, ray; any triangle",
+                                "fails now and then", nullptr,  TRIBUNAL_BINARY64,
+                                TRIBUNAL_CLOSED,      ask,      BATCH};
 const tribunal_polygon_plugin polygons = {TRIBUNAL_PLUGIN_ABI, 0, ask_polygon};
 
 #ifdef CRASHES_ON_LOAD
