@@ -1,6 +1,7 @@
 #include "exact/harness/observe.h"
 
 #include "exact/harness/fp_environment.h"
+#include "exact/io/polygon_case_io.h"
 
 namespace tribunal {
 namespace {
@@ -62,12 +63,26 @@ Fault fault_when_asked_again(const Method& method, const Q& query, const A& firs
   return {};
 }
 
+template <class A, class C, class Q>
+A asked_or_failed(const Method& method, const Q& query) {
+  const Asked<A> asked = tried<A>(method, query);
+  if (!asked.fault) return asked.answer;
+  const C c{.id = "fault", .query = query};
+  throw MethodFault(asked.fault, method.name + ": " + describe(asked.fault) + ", on " + from_case(c).dump());
+}
+
 }  // namespace
 
 Asked<Answer> try_ask(const Method& method, const Query& query) { return tried<Answer>(method, query); }
 
 Asked<PolygonAnswer> try_ask(const Method& method, const PolygonQuery& query) {
   return tried<PolygonAnswer>(method, query);
+}
+
+Answer ask_or_fail(const Method& method, const Query& query) { return asked_or_failed<Answer, Case>(method, query); }
+
+PolygonAnswer ask_or_fail(const Method& method, const PolygonQuery& query) {
+  return asked_or_failed<PolygonAnswer, PolygonCase>(method, query);
 }
 
 Fault asked_again(const Method& method, const Query& query, const Answer& first, int times) {

@@ -16,6 +16,10 @@ struct Asked {
 Asked<Answer> try_ask(const Method& method, const Query& query);
 Asked<PolygonAnswer> try_ask(const Method& method, const PolygonQuery& query);
 
+/// The method's answer, for those who go no further than a fault: it ends the command with one line that has the case.
+Answer ask_or_fail(const Method& method, const Query& query);
+PolygonAnswer ask_or_fail(const Method& method, const PolygonQuery& query);
+
 /// What shows when the method, which answered thus, is asked the same again: at once, and after each of two other
 /// questions; all that `times` over. No fault if it answers the same every time.
 Fault asked_again(const Method& method, const Query& query, const Answer& first, int times = 1);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact/harness/observe.h"
 #include "exact/kernels/dyadic.h"
 #include "exact/oracles/polygon_oracles.h"
 
@@ -147,7 +148,7 @@ bool owes(const Method& method, const PolygonTrial& trial) {
 
 void ask(const Method& method, const PolygonRelation& relation, const PolygonQuery& query, const PolygonQuery& changed,
          std::uint64_t g, PolygonRelationCount& count) {
-  const PolygonAnswer before = method.ask(query), after = method.ask(changed);
+  const PolygonAnswer before = ask_or_fail(method, query), after = ask_or_fail(method, changed);
   if (before.answer.status != Status::ok || after.answer.status != Status::ok) return;
   count.add(keeps(relation, before, after), g, {query, changed});
 }

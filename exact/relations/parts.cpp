@@ -1,4 +1,5 @@
 // Relations among several queries: exact subdivision, degenerate operands, and answers held against evidence.
+#include "exact/harness/observe.h"
 #include "exact/relations/evidence.h"
 #include "exact/relations/rows.h"
 
@@ -10,7 +11,7 @@ std::optional<bool> any_hit(const Method& method, const std::vector<Query>& quer
                             std::size_t last) {
   bool any = false;
   for (std::size_t i = first; i < last; ++i) {
-    const Answer answer = method.ask(queries[i]);
+    const Answer answer = ask_or_fail(method, queries[i]);
     if (answer.status != Status::ok) return {};
     any |= answer.hit;
   }
@@ -111,7 +112,7 @@ std::optional<Instance> segment_as_triangle(const Query& query, Format, Draw& dr
 
 std::optional<Instance> hit_has_point(const Query& query, Format, Draw&) {
   const auto x = common_point(query);
-  return Instance{{query}, [=](const Method& method) { return is_evident(method.ask(query), x, method); }};
+  return Instance{{query}, [=](const Method& method) { return is_evident(ask_or_fail(method, query), x, method); }};
 }
 
 /// A transversal method may also miss what it calls no hit.
@@ -119,7 +120,7 @@ std::optional<Instance> miss_has_plane(const Query& query, Format, Draw&) {
   const auto x = common_point(query);
   const bool apart = has_separating_plane(query);
   const auto holds = [=](const Method& method) -> std::optional<bool> {
-    const Answer answer = method.ask(query);
+    const Answer answer = ask_or_fail(method, query);
     if (answer.status != Status::ok || answer.hit) return {};
     return apart || (x && !counts_as_hit(x->contact, method.convention));
   };
