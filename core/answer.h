@@ -15,8 +15,23 @@ enum class Contact : std::uint8_t { none, interior, edge, vertex, coplanar, unsa
 /// Which part of the probe is in contact, where exactly one point is. `unsaid` otherwise.
 enum class At : std::uint8_t { unsaid, source, target, between };
 
-/// `nonfinite`: an operand has a NaN or an infinity. `unsupported`: outside the method's contract.
-enum class Status : std::uint8_t { ok, nonfinite, unsupported };
+/// `nonfinite`: an operand has a NaN or an infinity. `unsupported`: outside the method's contract. All others are
+/// faults: the method did something else than answer, or is no function of what it is asked.
+enum class Status : std::uint8_t {
+  ok,
+  nonfinite,
+  unsupported,
+  threw,
+  crashed,
+  exited,
+  timed_out,
+  changed_environment,
+  gave_no_answer,
+  differs_in_batch,
+  differs_when_repeated,
+};
+
+constexpr bool is_fault(Status s) { return s >= Status::threw; }
 
 /// Which stage of a staged kernel decided. `none` for kernels without stages.
 enum class Stage : std::uint8_t { none, filter, expansion, exact };
@@ -58,9 +73,23 @@ constexpr std::string_view name_of(At a) {
   return names[static_cast<int>(a)];
 }
 
+/// The word in files: every fault is "failed".
 constexpr std::string_view name_of(Status s) {
-  constexpr std::string_view names[] = {"ok", "nonfinite", "unsupported"};
-  return names[static_cast<int>(s)];
+  constexpr std::string_view names[] = {"ok", "nonfinite", "unsupported", "failed"};
+  return names[is_fault(s) ? 3 : static_cast<int>(s)];
+}
+
+/// What a method did, where the status is a fault; else empty.
+constexpr std::string_view fault_name(Status s) {
+  constexpr std::string_view names[] = {"threw",
+                                        "crashed",
+                                        "exited",
+                                        "timed out",
+                                        "changed the floating-point environment",
+                                        "gave no answer",
+                                        "answers otherwise in a batch than alone",
+                                        "answers differently when asked twice"};
+  return is_fault(s) ? names[static_cast<int>(s) - static_cast<int>(Status::threw)] : std::string_view();
 }
 
 constexpr std::string_view name_of(Stage s) {

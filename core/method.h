@@ -62,6 +62,12 @@ struct Method {
   /// Answers about many pairs at once, one each, as `ask` would give them; empty if the method has no batch form.
   /// The operands are finite.
   std::function<void(std::span<const TrianglePair>, std::span<Answer>)> batch{};
+  /// `ask`, of one pair after the other, where a call has a price of its own; empty if nothing is gained.
+  std::function<void(std::span<const TrianglePair>, std::span<Answer>)> ask_each{};
+
+  /// More about the fault in the last answer that the calling thread was given, e.g. "SIGSEGV"; empty if the method
+  /// has no faults, or ends the command at the first.
+  std::function<std::string()> last_fault{};
 
   /// Its test of polygons with at least one vertex and finite coordinates; empty if it takes none.
   std::function<PreparedPolygon(const Polygon&)> polygon{};

@@ -60,15 +60,15 @@ class Simplest {
  public:
   /// `slot`: of the case before it was shrunk, which shrinking keeps.
   void offer(Slot slot, Case c) {
-    const auto [entry, fresh] = simplest_.try_emplace(slot, c);
+    const auto [entry, fresh] = simplest_.try_emplace({slot, c.finding.value("fault", "")}, c);
     if (!fresh && is_simpler(c.query, entry->second.query)) entry->second = c;
   }
   void log_into(ChainedLog& log) const {
-    for (const auto& [slot, c] : simplest_) log_counterexample(log, c);
+    for (const auto& [key, c] : simplest_) log_counterexample(log, c);
   }
 
  private:
-  std::map<Slot, Case> simplest_;
+  std::map<std::pair<Slot, std::string>, Case> simplest_;  ///< by slot × fault, if it is one
 };
 
 void offer_from_sets(Simplest& simplest, const Method& method, const std::vector<ScopeResult>& sets) {
@@ -80,10 +80,10 @@ void offer_from_sets(Simplest& simplest, const Method& method, const std::vector
 }
 
 void offer_from_sample(Simplest& simplest, const FuzzPlan& plan, const FuzzReport& report) {
-  std::map<Slot, std::size_t> offered;
+  std::map<std::pair<Slot, Status>, std::size_t> offered;
   std::vector<const Finding*> chosen;
   for (const auto& f : report.findings) {
-    if (f.method == 0 && offered[slot_of(f.truth)]++ < shrunk_per_class) chosen.push_back(&f);
+    if (f.method == 0 && offered[{slot_of(f.truth), f.answer.status}]++ < shrunk_per_class) chosen.push_back(&f);
   }
   Progress progress("shrink", "counterexamples", chosen.size());
   for (const auto* f : chosen) {
@@ -122,7 +122,7 @@ void log_some(ChainedLog& log, const Method& method, const std::vector<Case>& ca
     const Answer given = takes(method, format) ? answer(i) : refusal(Status::unsupported);
     const Judgement j = judge(method, truths[i], given);
     row.counts[slot_of(truths[i])].add(j, given.stage);
-    if (j == Judgement::wrong) wrong.push_back(with_finding(cases[i], method, truths[i], given));
+    if (j == Judgement::wrong) wrong.push_back(with_steady_finding(cases[i], method, truths[i], given));
   }
   const std::uint64_t n = total_of(row).asked;
   if (n == 0) return;

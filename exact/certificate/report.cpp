@@ -289,6 +289,25 @@ std::string own_section(const Certificate& c) {
   return text + "\nWhere it was wrong:\n\n" + worst_classes(c, true) + "\n";
 }
 
+/// How many counterexamples name each fault.
+std::map<std::string, std::size_t> faults_in(const Certificate& c) {
+  std::map<std::string, std::size_t> faults;
+  for (const Json& line : c.counterexamples) {
+    const Json finding = line.value("finding", Json::object());
+    if (finding.contains("fault")) ++faults[finding["fault"].get<std::string>()];
+  }
+  return faults;
+}
+
+/// One line a fault, each with this before it.
+std::string fault_lines(const Certificate& c, const std::string& before) {
+  std::string text;
+  for (const auto& [fault, n] : faults_in(c)) {
+    text += before + fault + ", in " + std::to_string(n) + " of the counterexamples\n";
+  }
+  return text;
+}
+
 const char* coverage_word(const Certificate& c) { return c.coverage.has(Operands::polygons) ? "Polygons" : "Classes"; }
 
 std::string word(const Certificate& c, const char* key) { return c.plan[key]; }
@@ -314,6 +333,7 @@ Json to_json(const Certificate& c) {
   object["not_covered"] = gaps_json(c);
   object["calibration"] = calibration_json(c);
   object["counterexamples"] = c.counterexamples.size();
+  if (const auto faults = faults_in(c); !faults.empty()) object["faults"] = faults;
   object["environment"] = environment_json(c);
   object["log_sha256"] = c.log_head;
   return object;
@@ -324,6 +344,7 @@ std::string to_markdown(const Certificate& c) {
   text += "Contract: " + in_words(c.contract) + ". Convention: " + std::string(name_of(c.contract.convention)) +
           ". Budget " + word(c, "budget") + ", seed " + c.plan["seed"].dump() + ". " + coverage_word(c) +
           " judged: " + c.coverage.to_text(c.stages) + ".\n\n";
+  if (!faults_in(c).empty()) text += "It is no function of its input, or fails:\n\n" + fault_lines(c, "- ") + "\n";
   if (!c.proved.empty()) text += "## Proved: sets run whole\n\n" + proved_table(c) + "\n";
   if (c.sampled_strata() > 0) text += sampled_section(c);
   if (c.has_own()) text += own_section(c);
@@ -348,7 +369,7 @@ std::string to_summary(const Certificate& c) {
             percent(upper_bound(sampled.wrong, sampled.judged(), confidence_alpha)) + " on these populations\n";
   }
   if (c.has_own()) text += "  own      " + wrong_of(c.own()) + "\n";
-  text += worst_line(c);
+  text += fault_lines(c, "  FAULT    ") + worst_line(c);
   text += (c.coverage.has(Operands::polygons) ? "  judged   " : "  classes  ") + c.coverage.to_text(c.stages) + "\n";
   for (const Gap& g : c.gaps) {
     if (!g.explained) text += "  HOLE     " + g.what + ": " + g.reason + "\n";

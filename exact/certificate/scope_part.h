@@ -33,7 +33,7 @@ struct ScopePart {
     const Judgement j = judge(method, truth, answer);
     count.add(j, answer.stage);
     if (j != Judgement::unsupported) judged.set(slot_of(truth));
-    hash.add(static_cast<std::uint8_t>(answer.status == Status::ok ? answer.hit : 2));
+    hash.add(byte_of(answer));
     if (j == Judgement::wrong) keep(slot_of(truth), query);
   }
 
@@ -60,6 +60,11 @@ struct ScopePart {
   }
 
  private:
+  static std::uint8_t byte_of(const Answer& answer) {
+    if (answer.status == Status::ok) return answer.hit ? 1 : 0;
+    return is_fault(answer.status) ? 3 : 2;
+  }
+
   template <class MakeQuery>
   void keep(Slot slot, const MakeQuery& query) {
     if (wrong_slots.test(slot)) return;

@@ -3,6 +3,7 @@
 #include "exact/cli/command.h"
 #include "exact/harness/judge.h"
 #include "exact/io/case_io.h"
+#include "exact/io/failure.h"
 #include "exact/io/files.h"
 
 namespace tribunal {
@@ -29,11 +30,16 @@ int run(const Options& o) {
   const std::vector<Method> methods = methods_named(o.methods);
   require_different(o.in, o.out);
   std::string lines;
+  bool any_fault = false;
   for (const Case& c : read_cases(o.in)) {
-    for (const Method& m : methods) lines += from_answer(c, m, owed_answer(m, c.query)).dump() + "\n";
+    for (const Method& m : methods) {
+      const Answer answer = owed_answer(m, c.query);
+      any_fault |= is_fault(answer.status);
+      lines += from_answer(c, m, answer).dump() + "\n";
+    }
   }
   write_file(o.out, lines);
-  return 0;
+  return code(any_fault ? Exit::disagreement : Exit::ok);
 }
 
 }  // namespace

@@ -49,8 +49,13 @@ CLI::Validator whole_number();
 /// --threads, defaulting to default_threads().
 void add_threads_option(CLI::App& app, unsigned& threads);
 
-/// Declares --plugin, repeatable, and returns the action with loading the plugins before it.
-Action with_plugins(CLI::App& app, Action action);
+/// Whether a command offers --isolate: not if it measures time, or asks too often for questions to go to other
+/// processes.
+enum class MayIsolate { no, yes };
+
+/// Declares --plugin, repeatable, with --isolate and --time-limit, and returns the action with loading the plugins
+/// before it.
+Action with_plugins(CLI::App& app, Action action, MayIsolate may_isolate = MayIsolate::yes);
 
 /// 128 + signal if one asked for an end, as shells expect.
 int exit_code_after(int code_if_done, int signal);

@@ -102,6 +102,46 @@ Json coverage_json(const FuzzPlan& plan, const FuzzReport& report) {
   return object;
 }
 
+/// One kind of fault of one method.
+struct FaultRow {
+  const Finding* first;
+  std::size_t findings;
+};
+
+/// By method × fault, of the findings that are faults.
+std::map<std::pair<std::size_t, Status>, FaultRow> faults_of(const FuzzReport& report) {
+  std::map<std::pair<std::size_t, Status>, FaultRow> rows;
+  for (const Finding& f : report.findings) {
+    if (f.fault) ++rows.try_emplace({f.method, f.fault.kind}, FaultRow{&f, 0}).first->second.findings;
+  }
+  return rows;
+}
+
+std::string fault_lines(const FuzzPlan& plan, const FuzzReport& report) {
+  std::string text;
+  for (const auto& [key, row] : faults_of(report)) {
+    const auto& [method, fault] = key;
+    text += "FAULT: " + plan.methods[method].name + " " + std::string(fault_name(fault)) + ", in " +
+            std::to_string(row.findings) + " of the findings; first on " + name_of(plan.streams[row.first->stream]) +
+            " case " + std::to_string(row.first->k) + "\n";
+  }
+  return text;
+}
+
+Json faults_json(const FuzzPlan& plan, const FuzzReport& report) {
+  Json rows = Json::array();
+  for (const auto& [key, row] : faults_of(report)) {
+    const auto& stream = plan.streams[row.first->stream];
+    rows.push_back({{"method", plan.methods[key.first].name},
+                    {"fault", fault_name(key.second)},
+                    {"findings", row.findings},
+                    {"family", stream.family->name},
+                    {"fmt", name_of(stream.format)},
+                    {"case", row.first->k}});
+  }
+  return rows;
+}
+
 /// Per method × family × format × class, or construction or outcome; nothing that varies from run to run.
 Json summary(const FuzzPlan& plan, const FuzzReport& report) {
   const bool triangles = plan.operands() == Operands::triangles;
@@ -122,14 +162,18 @@ Json summary(const FuzzPlan& plan, const FuzzReport& report) {
           {"cases", report.cases},
           {triangles ? "classes_judged" : "polygons_judged", coverage_json(plan, report)},
           {"counts", rows},
+          {"faults", faults_json(plan, report)},
           {"environment", environment()}};
 }
 
+/// The first findings of each method, and the first of each kind of fault.
 std::vector<Case> counterexamples(const FuzzPlan& plan, const FuzzReport& report, std::size_t keep) {
   std::vector<Case> cases;
   std::vector<std::size_t> kept(plan.methods.size());
+  const auto faults = faults_of(report);
   for (const Finding& f : report.findings) {
-    if (kept[f.method]++ < keep) cases.push_back(to_counterexample(plan, f));
+    const bool first_of_fault = f.fault && faults.at({f.method, f.fault.kind}).first == &f;
+    if (kept[f.method]++ < keep || first_of_fault) cases.push_back(to_counterexample(plan, f));
   }
   return cases;
 }
@@ -169,9 +213,10 @@ void write_findings(const Options& o, const FuzzPlan& plan, const FuzzReport& re
 int run(const Options& o, const FuzzPlan& plan) {
   if (o.relations) return run_relations(plan, o.out);
   watch_interrupts();  // from here on a signal leaves a checkpoint
-  const FuzzReport report = run_plan(o, plan);
+  FuzzReport report = run_plan(o, plan);
+  ask_again(plan, report);
   if (report.cases == 0) throw Failure(Exit::resources, "no case was run");
-  print(table(plan, report, o.levels) + coverage(plan, report) + totals(plan, report));
+  print(table(plan, report, o.levels) + coverage(plan, report) + fault_lines(plan, report) + totals(plan, report));
   const bool complete = is_complete(plan, report);
   if (!complete) {
     print("INTERRUPTED after " + std::to_string(report.cases) + " of " + std::to_string(plan.cases) + " cases" +

@@ -9,6 +9,7 @@
 #include "exact/io/failure.h"
 #include "exact/io/suggestion.h"
 #include "exact/methods.h"
+#include "exact/plugin/exit_guard.h"
 #include "exact/plugin/load.h"
 
 namespace tribunal {
@@ -114,12 +115,36 @@ void add_threads_option(CLI::App& app, unsigned& threads) {
   app.add_option("--threads", threads, "worker threads")->check(CLI::Range(1U, 1024U))->capture_default_str();
 }
 
-Action with_plugins(CLI::App& app, Action action) {
-  const auto files = std::make_shared<std::vector<std::string>>();
-  app.add_option("--plugin", *files, "shared library with a method of your own (docs/bring-your-own.md); repeatable")
-      ->allow_extra_args(false);
-  return [files, action = std::move(action)] {
-    for (const std::string& file : *files) load_plugin(file);
+namespace {
+
+struct PluginOptions {
+  std::vector<std::string> files;
+  bool isolate = false;
+  double time_limit = 5;
+};
+
+void add_isolation_options(CLI::App& app, PluginOptions& o, CLI::Option* plugin) {
+  auto* const isolate = app.add_flag("--isolate", o.isolate,
+                                     "run plugins in child processes: a crash, an exit, an exception or a call that "
+                                     "does not return is a finding, and the run goes on");
+  isolate->needs(plugin);
+  app.add_option("--time-limit", o.time_limit, "seconds within which an isolated plugin must answer")
+      ->check(above_zero())
+      ->capture_default_str()
+      ->needs(isolate);
+}
+
+}  // namespace
+
+Action with_plugins(CLI::App& app, Action action, MayIsolate may_isolate) {
+  const auto o = std::make_shared<PluginOptions>();
+  auto* const plugin = app.add_option("--plugin", o->files,
+                                      "shared library with a method of your own (docs/bring-your-own.md); repeatable");
+  plugin->allow_extra_args(false);
+  if (may_isolate == MayIsolate::yes) add_isolation_options(app, *o, plugin);
+  return [o, action = std::move(action)] {
+    for (const std::string& file : o->files) load_plugin(file, o->isolate ? Isolation(o->time_limit) : Isolation());
+    const ExitGuard guard(!o->files.empty() && !o->isolate);
     return action();
   };
 }

@@ -20,7 +20,17 @@ Json plan_record(const FuzzPlan& plan) {
 }
 
 Json finding_record(const Finding& f) {
-  return {{"record", "finding"}, {"method", f.method}, {"stream", f.stream}, {"case", f.k}};
+  Json record = {{"record", "finding"}, {"method", f.method}, {"stream", f.stream}, {"case", f.k}};
+  if (is_fault(f.answer.status)) record["fault"] = fault_name(f.answer.status);
+  return record;
+}
+
+/// The answer is asked for again, but for a fault, which may have taken its time.
+Answer answer_of(const Method& method, const Query& query, const Json& record, const Where& where) {
+  if (!record.contains("fault")) return method.ask(query);
+  const Status fault = fault_named(string_of(record, "fault", where));
+  if (!is_fault(fault)) where.key("fault").fail("no such fault");
+  return refusal(fault);
 }
 
 /// Case and answer are made again from their numbers.
@@ -30,7 +40,7 @@ Finding finding_from(const FuzzPlan& plan, const Json& record, const Where& wher
   const std::uint64_t k = number_of(record, "case", where);
   const Stream& source = plan.streams[stream];
   const Trial trial = source.family->make(source.format, plan.seed, k);
-  return {method, stream, k, trial, truth_of(trial, k), plan.methods[method].ask(trial.query)};
+  return {method, stream, k, trial, truth_of(trial, k), answer_of(plan.methods[method], trial.query, record, where)};
 }
 
 void add_row(const FuzzPlan& plan, FuzzReport& report, const SampleRow& row, const Where& where) {

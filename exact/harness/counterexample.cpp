@@ -21,9 +21,13 @@ Answer answer_in_contract(const Method& method, Format format, const Query& quer
 }
 
 /// 1, 0, or null where the method does not take the operands.
-Json every_answer(const Case& c, const Truth& truth) {
+Json every_answer(const Case& c, const Truth& truth, const Method& on_trial, const Answer& its_answer) {
   Json answers = Json::object();
   for (const Method& method : all_methods()) {
+    if (method.name == on_trial.name && is_fault(its_answer.status)) {
+      answers[method.name] = Json();
+      continue;
+    }
     const Answer answer = answer_in_contract(method, c.format, c.query, truth);
     answers[method.name] = answer.status == Status::ok ? Json(answer.hit ? 1 : 0) : Json();
   }
@@ -33,11 +37,11 @@ Json every_answer(const Case& c, const Truth& truth) {
 Json finding_of(const Case& c, const Method& method, const Truth& truth, const Answer& answer) {
   Json finding;
   finding["method"] = method.name;
-  finding["answered"] = answer.hit ? 1 : 0;
+  if (!is_fault(answer.status)) finding["answered"] = answer.hit ? 1 : 0;
   finding["expected"] = due(method.contract, truth) == Due::hit ? 1 : 0;
   add_readings(finding, method.contract);
   finding["exact"] = exact_evidence(c.query);
-  finding["answers"] = every_answer(c, truth);
+  finding["answers"] = every_answer(c, truth, method, answer);
   finding["made_with"] = environment();
   return finding;
 }
@@ -47,12 +51,10 @@ constexpr int times_for_known_fault = 32;
 
 bool blames_a_fault(const Json& finding) { return finding.is_object() && finding.contains("fault"); }
 
-/// In place of an answer, the fault. What it answered is not said: it answered one thing and then another.
+/// In place of an answer, the fault. What it answered is not said: nothing, or one thing and then another.
 Case with_fault(Case c, const Method& method, const Truth& truth, const Fault& fault) {
-  c = with_finding(std::move(c), method, truth, {});
-  c.finding.erase("answered");
-  c.finding["answers"][method.name] = Json();
-  c.finding["fault"] = name_of(fault.kind);
+  c = with_finding(std::move(c), method, truth, refusal(fault.kind));
+  c.finding["fault"] = fault_name(fault.kind);
   if (!fault.detail.empty()) c.finding["detail"] = fault.detail;
   return c;
 }
@@ -61,14 +63,22 @@ Case with_fault(Case c, const Method& method, const Truth& truth, const Fault& f
 Asked observe_wrong(const Method& method, const Query& query, const Truth& truth) {
   Asked seen = observe(method, query);
   const bool right_now = judge(method, truth, seen.answer) != Judgement::wrong;
-  if (!seen.fault && right_now) seen.fault = Fault{FaultKind::answers_differ};
+  if (!seen.fault && right_now) seen.fault = Fault{Status::differs_when_repeated};
   return seen;
 }
 
-/// The case, which the method answered wrongly, with its finding; shrunk if the method answers it the same every time.
-Case with_shrunk_finding(Case c, const Method& method) {
+/// What is known of a fault that was seen before: the same again, or that it did not come again.
+Fault known_fault(Status before, const Fault& now) {
+  if (now.kind == before) return now;
+  return {before, "once, not when asked again"};
+}
+
+/// The case, which the method answered wrongly, or by the fault `before`, with its finding; shrunk if the method
+/// answers it the same every time.
+Case with_shrunk_finding(Case c, const Method& method, Status before = Status::ok) {
   Truth truth = exact_truth(c.query);
   auto seen = observe_wrong(method, c.query, truth);
+  if (is_fault(before)) seen.fault = known_fault(before, seen.fault);
   if (!seen.fault) {
     c.query = shrink(method, c.query, c.format);
     truth = exact_truth(c.query);
@@ -117,16 +127,24 @@ Case with_finding(Case c, const Method& method, const Truth& truth, const Answer
   return c;
 }
 
-Case to_counterexample(const Method& method, const Query& query, Format format, const std::string& source) {
+Case with_steady_finding(Case c, const Method& method, const Truth& truth, const Answer& answer) {
+  Fault fault{answer.status};
+  if (fault && method.last_fault) fault.detail = method.last_fault();
+  if (!fault && method.segment) fault = asked_again(method, c.query, answer);
+  return fault ? with_fault(std::move(c), method, truth, fault) : with_finding(std::move(c), method, truth, answer);
+}
+
+Case to_counterexample(const Method& method, const Query& query, Format format, const std::string& source,
+                       Status before) {
   Case c{.format = format, .query = query, .source = source};
-  c = with_shrunk_finding(std::move(c), method);
+  c = with_shrunk_finding(std::move(c), method, before);
   c.id = method.name + "-" + id_part(exact_truth(c.query));
   return c;
 }
 
 Case to_counterexample(const FuzzPlan& plan, const Finding& f) {
   const Stream& stream = plan.streams[f.stream];
-  auto c = to_counterexample(plan.methods[f.method], f.trial.query, stream.format, "");
+  auto c = to_counterexample(plan.methods[f.method], f.trial.query, stream.format, "", f.answer.status);
   const std::string fmt(name_of(stream.format));
   c.id += "-" + std::string(stream.family->name) + "-" + fmt + "-" + std::to_string(f.k);
   c.finding["origin"] = {{"family", stream.family->name},
@@ -136,6 +154,13 @@ Case to_counterexample(const FuzzPlan& plan, const Finding& f) {
                          {"stress", stream.family->levels(stream.format)[f.trial.level]},
                          {"axis", stream.family->axis}};
   return c;
+}
+
+void ask_again(const FuzzPlan& plan, FuzzReport& report) {
+  for (Finding& f : report.findings) {
+    f.fault = {f.answer.status};
+    if (!f.fault) f.fault = observe_wrong(plan.methods[f.method], f.trial.query, f.truth).fault;
+  }
 }
 
 Case shrunk(Case c, const Method& method) {

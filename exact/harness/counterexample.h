@@ -20,8 +20,15 @@ Json exact_evidence(const Query& query);
 /// made with.
 Case with_finding(Case c, const Method& method, const Truth& truth, const Answer& answer);
 
-/// The query, shrunk, likewise; `source` says where it came from.
-Case to_counterexample(const Method& method, const Query& query, Format format, const std::string& source);
+/// The same, and the method, if it can be asked, is asked again: a fault takes the place of what it answered.
+Case with_steady_finding(Case c, const Method& method, const Truth& truth, const Answer& answer);
+
+/// Asks all findings of a report again, and notes the faults.
+void ask_again(const FuzzPlan& plan, FuzzReport& report);
+
+/// The query, shrunk, likewise; `source` says where it came from, `before` what fault was seen then, if any.
+Case to_counterexample(const Method& method, const Query& query, Format format, const std::string& source,
+                       Status before = Status::ok);
 
 /// The finding, shrunk, likewise; its origin is the family, seed, case number and stress level it came from.
 Case to_counterexample(const FuzzPlan& plan, const Finding& finding);

@@ -9,6 +9,7 @@
 #include "core/method.h"
 #include "exact/families/family.h"
 #include "exact/harness/count_table.h"
+#include "exact/harness/fault.h"
 
 namespace tribunal {
 
@@ -36,6 +37,7 @@ struct Finding {
   Trial trial;
   Truth truth;
   Answer answer;
+  Fault fault{};  ///< what showed when it was asked again (`ask_again`)
 };
 
 struct FuzzReport {
@@ -43,7 +45,8 @@ struct FuzzReport {
   std::uint64_t run_here = 0;  ///< of these, in this run
   double seconds = 0;          ///< of this run
   CountTable counts;
-  std::vector<Finding> findings;  ///< the first of each method × stream × class or outcome, by case number
+  std::vector<Finding> findings;  ///< the first of each method × stream × class or outcome × fault, by case
+                                  ///< number
 };
 
 /// Before the first case.

@@ -52,6 +52,7 @@ Answer within_contract(const Method& method, const Truth& truth, const Answer& a
 }
 
 Judgement judge(const Method& method, const Truth& truth, const Answer& answer) {
+  if (is_fault(answer.status)) return Judgement::wrong;
   if (answer.status != Status::ok) return Judgement::unsupported;
   const Due owed = due(method.contract, truth);
   if (owed == Due::nothing) return Judgement::unsupported;

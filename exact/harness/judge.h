@@ -31,7 +31,8 @@ bool owes_all(const Contract& contract, Operands operands);
 Answer within_contract(const Method& method, const Truth& truth, const Answer& answer);
 
 /// Judged by the method's own contract: coplanar contacts are misses to a transversal method, faces seen from behind to
-/// one that culls them; where the contract owes nothing, the answer is not judged.
+/// one that culls them; where the contract owes nothing, the answer is not judged. A fault is wrong everywhere: to
+/// answer is promised of every query.
 Judgement judge(const Method& method, const Truth& truth, const Answer& answer);
 
 /// A binary32 method is on trial only where its operands are exact in binary32.

@@ -57,18 +57,28 @@ std::string text_at(const Json& object, const char* key, const Where& where) {
   return value.get<std::string>();
 }
 
+/// What "failed" means, where the line says it.
+Status fault_at(const Json& object, const Where& where) {
+  if (!object.contains("fault")) return Status::gave_no_answer;
+  const std::string name = text_at(object, "fault", where);
+  if (const Status fault = fault_named(name); is_fault(fault)) return fault;
+  where.key("fault").fail("expected one that docs/formats.md lists, found \"" + name + "\"");
+}
+
 Status status_at(const Json& object, const Where& where) {
   if (!object.contains("status")) return Status::ok;
   const std::string name = text_at(object, "status", where);
   for (const Status s : {Status::ok, Status::nonfinite, Status::unsupported}) {
     if (name == name_of(s)) return s;
   }
-  where.key("status").fail("expected \"ok\", \"nonfinite\" or \"unsupported\", found \"" + name + "\"");
+  if (name == name_of(Status::gave_no_answer)) return fault_at(object, where);
+  where.key("status").fail("expected \"ok\", \"nonfinite\", \"unsupported\" or \"failed\", found \"" + name + "\"");
 }
 
 /// The words of an answer that this program writes and does not judge are let through.
 Answer to_answer(const Json& object, const Where& where) {
-  require_keys(object, {"id", "method", "hit", "status", "class", "contact", "at", "stage", "planar"}, where);
+  require_keys(
+      object, {"id", "method", "hit", "status", "class", "contact", "at", "stage", "planar", "fault", "detail"}, where);
   const Status status = status_at(object, where);
   if (status != Status::ok) {
     if (object.contains("hit")) where.key("hit").fail("given with a status that is not \"ok\"");

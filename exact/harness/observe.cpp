@@ -1,6 +1,7 @@
 #include "exact/harness/observe.h"
 
 #include "exact/harness/fp_environment.h"
+#include "exact/io/case_io.h"
 
 namespace tribunal {
 namespace {
@@ -14,10 +15,15 @@ Query other_query(Operands operands, double side) {
   return {s, PolygonData{}.add(std::vector<Point3>{t.a, t.b, t.c})};
 }
 
+/// The fault that the answer stands for, with what the method knows of it.
+Fault last_fault(const Method& method, const Answer& answer) {
+  return {answer.status, method.last_fault ? method.last_fault() : ""};
+}
+
 Fault fault_when_asked(const Method& method, const Query& query, const Answer& first) {
   const Asked again = try_ask(method, query);
   if (again.fault) return again.fault;
-  return say_the_same(again.answer, first) ? Fault{} : Fault{FaultKind::answers_differ};
+  return say_the_same(again.answer, first) ? Fault{} : Fault{Status::differs_when_repeated};
 }
 
 }  // namespace
@@ -26,6 +32,7 @@ Asked try_ask(const Method& method, const Query& query) {
   try {
     const Answer answer = method.ask(query);
     require_exact_rounding();  // another environment, left behind by one method, would spoil the next one's answer
+    if (is_fault(answer.status)) return {refusal(Status::unsupported), last_fault(method, answer)};
     return {answer, {}};
   } catch (const MethodFault& f) {
     return {refusal(Status::unsupported), f.fault()};
@@ -47,6 +54,13 @@ Asked observe(const Method& method, const Query& query, int times) {
   Asked asked = try_ask(method, query);
   if (!asked.fault) asked.fault = asked_again(method, query, asked.answer, times);
   return asked;
+}
+
+Answer ask_or_fail(const Method& method, const Query& query) {
+  const Asked asked = try_ask(method, query);
+  if (!asked.fault) return asked.answer;
+  const Case c{.id = "fault", .query = query};
+  throw MethodFault(asked.fault, method.name + ": " + describe(asked.fault) + ", on " + from_case(c).dump());
 }
 
 }  // namespace tribunal

@@ -14,6 +14,9 @@ struct Asked {
 
 Asked try_ask(const Method& method, const Query& query);
 
+/// The method's answer, for those who go no further than a fault: it ends the command with one line that has the case.
+Answer ask_or_fail(const Method& method, const Query& query);
+
 /// What shows when the method, which answered thus, is asked the same again: at once, and after each of two other
 /// questions; all that `times` over. No fault if it answers the same every time.
 Fault asked_again(const Method& method, const Query& query, const Answer& first, int times = 1);

@@ -200,6 +200,8 @@ Json from_answer(const Case& c, const Method& method, const Answer& answer) {
   const bool answered = answer.status == Status::ok;
   if (answered) object["hit"] = answer.hit ? 1 : 0;
   object["status"] = name_of(answer.status);
+  if (is_fault(answer.status)) object["fault"] = fault_name(answer.status);
+  if (is_fault(answer.status) && method.last_fault) object["detail"] = method.last_fault();
   if (answer.class_id != 0) object["class"] = class_name(answer.class_id);
   if (answered && answer.contact != Contact::unsaid) object["contact"] = name_of(answer.contact);
   if (answer.at != At::unsaid) object["at"] = name_of(answer.at);

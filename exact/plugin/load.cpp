@@ -1,70 +1,27 @@
 #include "exact/plugin/load.h"
 
-#include <dlfcn.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
-#include <optional>
 #include <utility>
 
-#include "exact/harness/fp_environment.h"
 #include "exact/io/failure.h"
 #include "exact/io/files.h"
 #include "exact/log/chain.h"
 #include "exact/methods.h"
+#include "exact/plugin/isolated.h"
+#include "exact/plugin/library.h"
 
 namespace tribunal {
 namespace {
 
-constexpr const char* entry_point = "tribunal_plugin_describe";
-constexpr const char* polygon_entry_point = "tribunal_plugin_describe_polygons";
-
-/// dlopen searches the system for a name without a slash; we mean the file.
-std::string as_path(const std::string& file) { return file.find('/') == std::string::npos ? "./" + file : file; }
-
-void require_file(const std::string& file) {
-  if (std::filesystem::is_directory(file)) throw bad_input(file, 0, "is a directory, expected a shared library");
-  if (access(file.c_str(), R_OK) != 0) throw bad_input(file, 0, std::string("cannot read: ") + std::strerror(errno));
-}
-
-/// What dlerror says, without the path that it starts with.
-std::string why_not_loaded(const std::string& path) {
-  std::string why = dlerror();
-  if (why.starts_with(path + ": ")) why.erase(0, path.size() + 2);
-  return why;
-}
-
-/// Loaded for good: the method's functions live in it.
-void* load_library(const std::string& file) {
-  const std::string path = as_path(file);
-  if (void* const library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL)) return library;
-  throw bad_input(file, 0, "cannot be loaded as a shared library: " + why_not_loaded(path));
-}
-
-/// The description that the library exports under the name; nothing if it exports none.
-template <class D>
-std::optional<const D*> described_by(void* library, const char* name, const std::string& file) {
-  const auto describe = reinterpret_cast<const D* (*)()>(dlsym(library, name));
-  if (describe == nullptr) return std::nullopt;
-  const D* const description = describe();
-  require_exact_rounding();  // whatever the library did as it was loaded and asked
-  if (description == nullptr) throw bad_input(file, 0, std::string(name) + " returned NULL");
-  return description;
+Method method_in(const std::string& file, const Isolation& isolation) {
+  if (isolation) return isolated_method(file, *isolation);
+  const Library library = open_library(file);
+  return plugin_method(*library.plugin, file, library.polygons);
 }
 
 }  // namespace
 
-std::string load_plugin(const std::string& file) {
-  require_file(file);
-  void* const library = load_library(file);
-  const auto plugin = described_by<tribunal_plugin>(library, entry_point, file);
-  if (!plugin) {
-    throw bad_input(file, 0, std::string("does not export ") + entry_point + ", expected a plugin (tribunal_plugin.h)");
-  }
-  const auto polygons = described_by<tribunal_polygon_plugin>(library, polygon_entry_point, file);
-  Method method = plugin_method(**plugin, file, polygons.value_or(nullptr));
+std::string load_plugin(const std::string& file, const Isolation& isolation) {
+  Method method = method_in(file, isolation);
   const std::string name = method.name;
   if (find_method(name) != nullptr) {
     throw Failure(Exit::usage, file + ": there is a method called " + name + " already, expected a name of its own");

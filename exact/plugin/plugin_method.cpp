@@ -1,131 +1,67 @@
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <memory>
+#include <optional>
 #include <utility>
-#include <vector>
 
-#include "exact/harness/fault.h"
 #include "exact/harness/fp_environment.h"
-#include "exact/io/case_io.h"
 #include "exact/io/failure.h"
 #include "exact/kernels/dyadic.h"
 #include "exact/oracles/polygon_oracles.h"
 #include "exact/plugin/description.h"
+#include "exact/plugin/line.h"
 #include "exact/plugin/load.h"
 
 namespace tribunal {
+
+void Line::require_same_environment() const {
+  if (has_exact_rounding()) return;
+  require_exact_rounding();  // for what remains to be done: CGAL aborts at exit if it finds another mode
+  throw Failure(Exit::fp_environment, file + ": changed the rounding mode or flushes to zero");
+}
+
 namespace {
 
-// --- queries and answers across the interface ---------------------------------------------------------------------
-
-using Coordinates = std::array<double, 15>;
-
-constexpr int kind_of(const Segment&) { return TRIBUNAL_SEGMENT; }
-constexpr int kind_of(const Ray&) { return TRIBUNAL_RAY; }
-int kind_of(const TrianglePair& q) {
-  return std::visit([](const auto& probe) { return kind_of(probe); }, q.probe);
-}
-
-const Point3& coordinates(const Point3& p) { return p; }
-const Point3& coordinates(const Direction& d) { return d.v; }
-
-template <class P>
-Coordinates coordinates_of(const P& probe, const Triangle& t, Format format) {
-  Coordinates x;
-  std::size_t i = 0;
-  for (const Point3& point : {source(probe), coordinates(target(probe)), t.a, t.b, t.c}) {
-    for (int axis = 0; axis < 3; ++axis) x[i++] = in_format(point[axis], format);
-  }
-  return x;
-}
-
-template <class X>
-bool is_finite(const X& x) {
-  return std::all_of(x.begin(), x.end(), [](double c) { return std::isfinite(c); });
-}
-
-/// What every call of a plugin needs.
-struct Line {
-  Format format;
-  std::string file;
-
-  Answer answer_from(int said) const {
-    if (said == TRIBUNAL_MISS) return miss();
-    if (said == TRIBUNAL_HIT) return hit_at(Contact::unsaid);
-    if (said == TRIBUNAL_UNSUPPORTED) return refusal(Status::unsupported);
-    throw bad_input(
-        file, 0, "answered " + std::to_string(said) + ", expected TRIBUNAL_MISS, TRIBUNAL_HIT or TRIBUNAL_UNSUPPORTED");
-  }
-
-  /// The same of a hit of which more is told.
-  Answer answer_from(int said, const tribunal_hit& hit) const {
-    constexpr std::array contacts = {Contact::unsaid, Contact::interior, Contact::edge, Contact::vertex,
-                                     Contact::coplanar};
-    Answer answer = answer_from(said);
-    if (!answer.hit) return answer;
-    if (hit.contact < 0 || hit.contact >= static_cast<int>(contacts.size())) {
-      throw bad_input(file, 0,
-                      "told contact " + std::to_string(hit.contact) + ", expected one of TRIBUNAL_CONTACT_...");
-    }
-    answer.contact = contacts[static_cast<std::size_t>(hit.contact)];
-    return answer;
-  }
-
-  /// What `ask` returns. What it throws, against the plugin's promise, is a fault that names the case.
-  template <class P, class Ask>
-  int call(const P& probe, const Triangle& t, const Ask& ask) const {
-    std::string what = "an exception of its own";
-    try {
-      const int said = ask();
-      require_same_environment();
-      return said;
-    } catch (const Failure&) {
-      throw;
-    } catch (const std::exception& error) {
-      what = error.what();
-    } catch (...) {
-    }
-    const Case thrown{.id = "threw", .query = {probe, t}};
-    throw MethodFault({FaultKind::threw, what}, file + ": threw " + what + ", on " + from_case(thrown).dump());
-  }
-
-  void require_same_environment() const {
-    if (has_exact_rounding()) return;
-    require_exact_rounding();  // for what remains to be done: CGAL aborts at exit if it finds another mode
-    throw Failure(Exit::fp_environment, file + ": changed the rounding mode or flushes to zero");
-  }
+/// Pairs with one kind of probe, as a plugin takes them, and where their answers go.
+struct Pack {
+  int kind;
+  std::vector<Coordinates> pairs{};
+  std::vector<std::size_t> places{};
 };
 
 /// One plugin's functions for triangles. Without them nothing is supported.
 class Caller {
  public:
   Caller(const tribunal_plugin& plugin, Line line)
-      : ask_(plugin.ask),
-        tell_(plugin.tell),
-        ask_batch_(plugin.ask_batch),
-        tells_contact_(plugin.tells_contact != 0),
-        line_(std::move(line)) {}
+      : asks_(plugin.ask != nullptr), tells_contact_(plugin.tells_contact != 0), line_(std::move(line)) {}
 
   template <class P>
   Answer ask(const P& probe, const Triangle& t) const {
-    if (ask_ == nullptr) return refusal(Status::unsupported);
+    if (!asks_) return refusal(Status::unsupported);
     const Coordinates x = coordinates_of(probe, t, line_.format);
-    if (!is_finite(x)) return refusal(Status::unsupported);
+    if (!all_finite(x)) return refusal(Status::unsupported);
     if (tells_contact_) return tell(probe, t, x).answer;
-    return line_.answer_from(line_.call(probe, t, [&] { return ask_(kind_of(probe), x.data()); }));
+    const auto query = [&] { return Query{probe, t}; };
+    return line_.ask([&] { return line_.answer_from(said(line_.calls->ask(kind_of(probe), x.data())), query); }, query);
   }
 
   /// The parameter of the hit, if it is told.
   std::optional<double> parameter(const Ray& ray, const Triangle& t) const {
     const Coordinates x = coordinates_of(ray, t, line_.format);
-    if (!is_finite(x)) return std::nullopt;
+    if (!all_finite(x)) return std::nullopt;
     const auto [answer, hit] = tell(ray, t, x);
     return answer.hit && hit.has_t != 0 ? std::optional<double>(hit.t) : std::nullopt;
   }
 
-  void ask_all(std::span<const TrianglePair> pairs, std::span<Answer> answers) const {
-    for (const int kind : {TRIBUNAL_SEGMENT, TRIBUNAL_RAY}) ask_kind(kind, pairs, answers);
+  using Call = void (PluginCalls::*)(int, std::size_t, const double*, int*) const;
+
+  void ask_all(Call call, std::span<const TrianglePair> pairs, std::span<Answer> answers) const {
+    for (const int kind : {TRIBUNAL_SEGMENT, TRIBUNAL_RAY}) {
+      const Pack pack = packed(kind, pairs, answers);
+      const std::size_t n = pack.pairs.size(), most = line_.calls->largest_batch();
+      for (std::size_t first = 0; first < n;) {
+        const std::size_t count = std::min(most, n - first);
+        ask_some(call, pack, first, count, pairs, answers);
+        first += count;
+      }
+    }
   }
 
  private:
@@ -134,112 +70,153 @@ class Caller {
     tribunal_hit hit;
   };
 
+  int said(int number) const {
+    line_.require_same_environment();
+    return number;
+  }
+
   template <class P>
   Told tell(const P& probe, const Triangle& t, const Coordinates& x) const {
     tribunal_hit hit{};
-    const int said = line_.call(probe, t, [&] { return tell_(kind_of(probe), x.data(), &hit); });
-    return {line_.answer_from(said, hit), hit};
+    const auto query = [&] { return Query{probe, t}; };
+    const auto ask = [&] {
+      const int number = said(line_.calls->tell(kind_of(probe), x.data(), hit));
+      return line_.answer_from(number, hit, query);
+    };
+    const Answer answer = line_.ask(ask, query);
+    return {answer, hit};
   }
 
-  /// One call for all pairs whose probe is of the kind.
-  void ask_kind(int kind, std::span<const TrianglePair> pairs, std::span<Answer> answers) const {
-    constexpr int not_answered = -1;
-    std::vector<Coordinates> packed;
-    std::vector<std::size_t> places;
+  Answer ask_alone(const TrianglePair& pair) const {
+    return std::visit([&](const auto& probe) { return ask(probe, pair.triangle); }, pair.probe);
+  }
+
+  /// The pairs of the kind that may be asked; all others are unsupported.
+  Pack packed(int kind, std::span<const TrianglePair> pairs, std::span<Answer> answers) const {
+    Pack pack{kind};
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-      if (kind_of(pairs[i]) != kind) continue;
+      if (kind_of(pairs[i].probe) != kind) continue;
       const auto coordinates_here = [&](const auto& p) { return coordinates_of(p, pairs[i].triangle, line_.format); };
       const Coordinates x = std::visit(coordinates_here, pairs[i].probe);
       answers[i] = refusal(Status::unsupported);
-      if (!is_finite(x)) continue;
-      packed.push_back(x);
-      places.push_back(i);
+      if (!all_finite(x)) continue;
+      pack.pairs.push_back(x);
+      pack.places.push_back(i);
     }
-    if (packed.empty()) return;
-    std::vector<int> said(packed.size(), not_answered);
-    ask_batch_(kind, packed.size(), packed.front().data(), said.data());
-    line_.require_same_environment();
-    for (std::size_t i = 0; i < said.size(); ++i) answers[places[i]] = line_.answer_from(said[i]);
+    return pack;
   }
 
-  tribunal_ask* ask_;
-  tribunal_tell* tell_;
-  tribunal_ask_batch* ask_batch_;
-  bool tells_contact_;
+  /// One call for pairs first ≤ i < first + count of the pack. If it fails, they are asked one by one.
+  void ask_some(Call call, const Pack& pack, std::size_t first, std::size_t count, std::span<const TrianglePair> pairs,
+                std::span<Answer> answers) const {
+    constexpr int not_answered = -1;
+    std::vector<int> numbers(count, not_answered);
+    const auto place = [&](std::size_t i) { return pack.places[first + i]; };
+    const auto query = [&](std::size_t i) { return as_query(pairs[place(i)]); };
+    try {
+      (*line_.calls.*call)(pack.kind, count, pack.pairs[first].data(), numbers.data());
+    } catch (const CallFailed& failed) {
+      line_.require_same_environment();
+      bool any = false;
+      for (std::size_t i = 0; i < count; ++i) {
+        answers[place(i)] = ask_alone(pairs[place(i)]);
+        any |= is_fault(answers[place(i)].status);
+      }
+      if (!any) answers[place(0)] = line_.answer_for(of_batch(failed.fault, count), [&] { return query(0); });
+      return;
+    }
+    line_.require_same_environment();
+    for (std::size_t i = 0; i < count; ++i) {
+      answers[place(i)] = line_.answer_from(numbers[i], [&] { return query(i); });
+    }
+  }
+
+  /// A fault that none of a batch's queries has alone: it is laid at the door of the first.
+  static Fault of_batch(const Fault& fault, std::size_t count) {
+    const std::string detail = fault.detail.empty() ? "" : fault.detail + ", ";
+    return {fault.kind, detail + "in a batch of " + std::to_string(count) + ", on none of them alone"};
+  }
+
+  bool asks_, tells_contact_;
   Line line_;
 };
 
 /// A triangle that its plugin has prepared; released when the last who asks is gone.
 class PreparedCaller {
  public:
-  PreparedCaller(const tribunal_plugin& plugin, const Triangle& t, Line line)
-      : t_(t), ask_(plugin.ask_prepared), line_(std::move(line)) {
+  PreparedCaller(const Triangle& t, Line line) : t_(t), line_(std::move(line)) {
     std::vector<double> x;
-    for (const Point3& v : {t.a, t.b, t.c}) add(x, v);
-    if (!is_finite(x)) return;
-    void* const made = plugin.prepare(x.data());
+    for (const Point3& v : {t.a, t.b, t.c}) add_coordinates(x, v, line_.format);
+    if (!all_finite(x)) return;
+    try {
+      prepared_ = line_.calls->prepare(x.data());
+    } catch (const CallFailed& failed) {
+      failed_ = failed.fault;
+    }
     line_.require_same_environment();
-    if (made == nullptr) throw Failure(Exit::resources, line_.file + ": prepare returned NULL");
-    const auto release = plugin.release;
-    prepared_ = std::shared_ptr<void>(made, [release](void* p) {
-      if (release != nullptr) release(p);
-    });
   }
 
   template <class P>
   Answer ask(const P& probe) const {
+    const auto query = [&] { return Query{probe, t_}; };
+    if (failed_) return line_.answer_for(failed_, query);
     std::vector<double> x;
-    add(x, source(probe));
-    add(x, coordinates(target(probe)));
-    if (prepared_ == nullptr || !is_finite(x)) return refusal(Status::unsupported);
-    return line_.answer_from(line_.call(probe, t_, [&] { return ask_(prepared_.get(), kind_of(probe), x.data()); }));
+    add_coordinates(x, source(probe), line_.format);
+    add_coordinates(x, coordinates(target(probe)), line_.format);
+    if (prepared_ == nullptr || !all_finite(x)) return refusal(Status::unsupported);
+    const auto ask = [&] {
+      const int number = prepared_->ask(kind_of(probe), x.data());
+      line_.require_same_environment();
+      return line_.answer_from(number, query);
+    };
+    return line_.ask(ask, query);
   }
 
  private:
-  void add(std::vector<double>& x, const Point3& point) const {
-    for (int axis = 0; axis < 3; ++axis) x.push_back(in_format(point[axis], line_.format));
-  }
-
   Triangle t_;
-  tribunal_ask_prepared* ask_;
   Line line_;
-  std::shared_ptr<void> prepared_{};  ///< null where the triangle is beyond the format
+  Fault failed_{};
+  std::shared_ptr<const PreparedCalls> prepared_{};  ///< null where the triangle is beyond the format
 };
 
 /// A polygon as its plugin sees it.
 class PolygonCaller {
  public:
-  PolygonCaller(const Polygon& polygon, tribunal_ask_polygon* function, Line line)
-      : ends_(polygon.ends.begin(), polygon.ends.end()),
+  PolygonCaller(const Polygon& polygon, Line line)
+      : polygon_(polygon),
+        ends_(polygon.ends.begin(), polygon.ends.end()),
         planar_(is_planar_by_normal<Dyadic>(polygon)),
-        ask_(function),
         line_(std::move(line)) {
-    for (const Point3& v : polygon.vertices) add(vertices_, v);
+    for (const Point3& v : polygon.vertices) add_coordinates(vertices_, v, line_.format);
   }
 
   template <class P>
   Answer ask(const P& probe) const {
     std::vector<double> x;
-    add(x, source(probe));
-    add(x, coordinates(target(probe)));
-    if (!is_finite(x) || !is_finite(vertices_)) return refusal(Status::unsupported);
+    add_coordinates(x, source(probe), line_.format);
+    add_coordinates(x, coordinates(target(probe)), line_.format);
+    if (!all_finite(x) || !all_finite(vertices_)) return refusal(Status::unsupported);
     const tribunal_polygon polygon = {ends_.size(), ends_.data(), vertices_.data()};
-    const int said = ask_(kind_of(probe), x.data(), &polygon);
-    line_.require_same_environment();
-    Answer answer = line_.answer_from(said);
+    const auto query = [&] { return Query{probe, owned(polygon_)}; };
+    const auto ask = [&] {
+      const int number = line_.calls->ask_polygon(kind_of(probe), x.data(), polygon);
+      line_.require_same_environment();
+      return line_.answer_from(number, query);
+    };
+    Answer answer = line_.ask(ask, query);
     answer.planar = planar_;
     return answer;
   }
 
  private:
-  void add(std::vector<double>& x, const Point3& point) const {
-    for (int axis = 0; axis < 3; ++axis) x.push_back(in_format(point[axis], line_.format));
+  static PolygonData owned(const Polygon& polygon) {
+    return {{polygon.vertices.begin(), polygon.vertices.end()}, {polygon.ends.begin(), polygon.ends.end()}};
   }
 
+  Polygon polygon_;  ///< a view, which outlives what it was prepared for
   std::vector<std::size_t> ends_;
   bool planar_;  ///< decided here: a plugin is asked for hits only
   std::vector<double> vertices_{};
-  tribunal_ask_polygon* ask_;
   Line line_;
 };
 
@@ -247,11 +224,22 @@ void add_polygons(Method& method, const tribunal_polygon_plugin& polygons, const
   require_version(polygons.abi, line.file);
   if (polygons.ask == nullptr) throw bad_input(line.file, 0, "ask of polygons is NULL, expected a function");
   read_restrictions(method.contract, polygons, line.file);
-  method.polygon = [ask = polygons.ask, line](const Polygon& polygon) -> PreparedPolygon {
-    const auto caller = std::make_shared<const PolygonCaller>(polygon, ask, line);
+  method.polygon = [line](const Polygon& polygon) -> PreparedPolygon {
+    const auto caller = std::make_shared<const PolygonCaller>(polygon, line);
     return {.segment = [caller](const Segment& s) { return caller->ask(s); },
             .ray = [caller](const Ray& r) { return caller->ask(r); }};
   };
+}
+
+void add_batches(Method& method, const Caller& caller, const tribunal_plugin& plugin, bool isolated) {
+  const auto asking = [&caller](Caller::Call call) {
+    return [caller, call](std::span<const TrianglePair> pairs, std::span<Answer> answers) {
+      caller.ask_all(call, pairs, answers);
+    };
+  };
+  if (plugin.ask_batch != nullptr) method.batch = asking(&PluginCalls::ask_batch);
+  // `ask_each` hears no contacts, but only hit or miss, as a batch does.
+  if (isolated && plugin.tells_contact == 0) method.ask_each = asking(&PluginCalls::ask_each);
 }
 
 void add_triangles(Method& method, const tribunal_plugin& plugin, const Line& line) {
@@ -259,33 +247,34 @@ void add_triangles(Method& method, const tribunal_plugin& plugin, const Line& li
   method.segment = [caller](const Segment& s, const Triangle& t) { return caller.ask(s, t); };
   method.ray = [caller](const Ray& r, const Triangle& t) { return caller.ask(r, t); };
   if (plugin.ask == nullptr) return;
-  if (plugin.ask_batch != nullptr) {
-    method.batch = [caller](std::span<const TrianglePair> pairs, std::span<Answer> answers) {
-      caller.ask_all(pairs, answers);
-    };
-  }
-  if (plugin.tells_t != 0)
+  add_batches(method, caller, plugin, line.calls->isolated());
+  if (plugin.tells_t != 0) {
     method.parameter = [caller](const Ray& r, const Triangle& t) { return caller.parameter(r, t); };
-  if (plugin.prepare != nullptr) {
-    method.prepare_triangle = [plugin, line](const Triangle& t) -> PreparedTriangle {
-      const auto prepared = std::make_shared<const PreparedCaller>(plugin, t, line);
-      return {.segment = [prepared](const Segment& s) { return prepared->ask(s); },
-              .ray = [prepared](const Ray& r) { return prepared->ask(r); }};
-    };
   }
+  if (plugin.prepare == nullptr) return;
+  method.prepare_triangle = [line](const Triangle& t) -> PreparedTriangle {
+    const auto prepared = std::make_shared<const PreparedCaller>(t, line);
+    return {.segment = [prepared](const Segment& s) { return prepared->ask(s); },
+            .ray = [prepared](const Ray& r) { return prepared->ask(r); }};
+  };
 }
-
-static_assert(sizeof(Coordinates) == 15 * sizeof(double), "a batch is a plain array of coordinates");
 
 }  // namespace
 
 Method plugin_method(const tribunal_plugin& given, const std::string& file, const tribunal_polygon_plugin* polygons) {
   const tribunal_plugin plugin = in_this_version(given, file);
+  return plugin_method(plugin, file, polygons, calls_here(plugin, polygons));
+}
+
+Method plugin_method(const tribunal_plugin& plugin, const std::string& file, const tribunal_polygon_plugin* polygons,
+                     const std::shared_ptr<const PluginCalls>& calls) {
+  require_version(plugin.abi, file);
   Method method = described(plugin, file);
-  const Line line{method.contract.format, file};
   if (plugin.ask == nullptr && polygons == nullptr) throw bad_input(file, 0, "ask is NULL, expected a function");
+  const Line line{method.contract.format, file, calls};
   if (polygons != nullptr) add_polygons(method, *polygons, line);
   add_triangles(method, plugin, line);
+  if (calls->isolated()) method.last_fault = [faults = line.faults] { return faults->of_this_thread(); };
   return method;
 }
 

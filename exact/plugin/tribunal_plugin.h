@@ -13,7 +13,8 @@
  *   - ask and ask_batch may be called from several threads at once, in any order, and answer the same query the same.
  *   - ask_batch answers every query as ask does.
  *   - They leave the floating-point environment as they found it, and throw nothing through this interface.
- *   - They return. A plugin runs in the program's own process: if it crashes, the program ends with it. */
+ *   - They return. A plugin runs in the program's own process: if it crashes, the program ends with it. With --isolate
+ * it runs in child processes, and what it does in place of returning is a finding. */
 #ifndef TRIBUNAL_PLUGIN_H
 #define TRIBUNAL_PLUGIN_H
 

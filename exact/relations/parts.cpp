@@ -1,4 +1,5 @@
 // Relations among several queries: exact subdivision, degenerate operands, and answers held against evidence.
+#include "exact/harness/observe.h"
 #include "exact/relations/evidence.h"
 #include "exact/relations/rows.h"
 
@@ -10,7 +11,7 @@ std::optional<bool> any_hit(const Method& method, const std::vector<Query>& quer
                             std::size_t last) {
   bool any = false;
   for (std::size_t i = first; i < last; ++i) {
-    const Answer answer = method.ask(queries[i]);
+    const Answer answer = ask_or_fail(method, queries[i]);
     if (answer.status != Status::ok) return {};
     any |= answer.hit;
   }
@@ -126,7 +127,7 @@ std::optional<Instance> segment_as_triangle(const Query& query, Format, Draw& dr
 
 std::optional<Instance> hit_has_point(const Query& query, Format, Draw&) {
   const auto x = common_point(query);
-  return Instance{{query}, [=](const Method& method) { return is_evident(method.ask(query), query, x, method); }};
+  return Instance{{query}, [=](const Method& method) { return is_evident(ask_or_fail(method, query), query, x, method); }};
 }
 
 /// A method may also miss what is no hit by its contract.
@@ -134,7 +135,7 @@ std::optional<Instance> miss_has_plane(const Query& query, Format, Draw&) {
   const auto x = common_point(query);
   const bool apart = has_separating_plane(query);
   const auto holds = [=](const Method& method) -> std::optional<bool> {
-    const Answer answer = method.ask(query);
+    const Answer answer = ask_or_fail(method, query);
     if (answer.status != Status::ok || answer.hit) return {};
     if (apart) return true;
     if (x && owed_to(method, query, *x) == Due::nothing) return {};

@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact/harness/observe.h"
 #include "exact/kernels/dyadic.h"
 #include "exact/oracles/polygon_oracles.h"
 #include "exact/relations/polygon_rows.h"
+
 
 namespace tribunal {
 namespace {
@@ -151,7 +153,7 @@ bool keeps(Kept kept, const Answer& before, const Answer& after) {
 std::optional<Instance> kept_by(const Query& query, const Changed& changed, Kept kept) {
   if (!changed) return std::nullopt;
   return Instance{{query, *changed}, [query, changed = *changed, kept](const Method& method) -> std::optional<bool> {
-                    const Answer before = method.ask(query), after = method.ask(changed);
+                    const Answer before = ask_or_fail(method, query), after = ask_or_fail(method, changed);
                     if (before.status != Status::ok || after.status != Status::ok) return std::nullopt;
                     return keeps(kept, before, after);
                   }};

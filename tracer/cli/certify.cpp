@@ -1,5 +1,7 @@
 #include "exact/certificate/certify.h"
 
+#include <algorithm>
+#include <array>
 #include <memory>
 
 #include "exact/certificate/certificate.h"
@@ -61,12 +63,13 @@ int run(const Options& o, const CertifyPlan& plan) {
   return exit_of(c.verdict);
 }
 
-/// Whether it answers where any triangle test does: a plain hit, by segment and by ray.
+/// Whether it answers, or fails, where any triangle test answers: on a plain hit, by segment and by ray.
 bool takes_triangles(const Method& method) {
   const Triangle t{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
   const Answer to_segment = method.ask(Query{Segment{{1, 1, 1}, {1, 1, -1}}, t});
   const Answer to_ray = method.ask(Query{Ray{{1, 1, 1}, {{0, 0, -1}}}, t});
-  return to_segment.status == Status::ok || to_ray.status == Status::ok;
+  return std::ranges::any_of(std::array{to_segment, to_ray},
+                             [](const Answer& a) { return a.status == Status::ok || is_fault(a.status); });
 }
 
 int run_polygons(const Options& o, const Method& method) {

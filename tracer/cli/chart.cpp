@@ -50,7 +50,8 @@ Action declare_chart(CLI::App& app) {
       ->capture_default_str();
   add_threads_option(app, o->plan.threads);
   app.add_option("--out", o->out, "directory for the figures and chart.json")->capture_default_str();
-  return with_plugins(app, [o] { return run(*o); });
+  return with_plugins(
+      app, [o] { return run(*o); }, MayIsolate::no);
 }
 
 }  // namespace tribunal

@@ -357,7 +357,8 @@ Action declare_render(CLI::App& app) {
   app.add_flag("--triangulate", o->triangulate,
                "polygonal faces as triangles (as they always are for methods without a polygon test)");
   app.add_option("--max-cases", o->max_cases, "at most so many cases with --against")->capture_default_str();
-  return with_plugins(app, [o] { return run(*o); });
+  return with_plugins(
+      app, [o] { return run(*o); }, MayIsolate::no);
 }
 
 }  // namespace tribunal

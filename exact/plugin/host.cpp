@@ -1,0 +1,186 @@
+#include "exact/plugin/host.h"
+
+#include <cstring>
+#include <memory>
+
+#include "exact/harness/fp_environment.h"
+#include "exact/plugin/calls.h"
+#include "exact/plugin/description.h"
+#include "exact/plugin/library.h"
+
+namespace tribunal {
+namespace {
+
+// --- introductions ---------------------------------------------------------------------------------------------------
+
+/// A little more than any string that would be taken is told: the string may not end.
+std::optional<std::string> text_of(const char* s) {
+  constexpr std::size_t longest = 128;
+  if (s == nullptr) return std::nullopt;
+  return std::string(s, strnlen(s, longest));
+}
+
+void add(Message& message, const std::optional<std::string>& text) {
+  message.add(text.has_value()).add(text.value_or(""));
+}
+
+std::optional<std::string> take_optional(Reader& in) {
+  const bool present = in.take<char>() != 0;
+  std::string text = in.take_text();
+  return present ? std::optional(std::move(text)) : std::nullopt;
+}
+
+Introduction introduction_of(const Library& library, const std::string& file) {
+  Introduction told;
+  told.plugin = in_this_version(*library.plugin, file);
+  told.name = text_of(told.plugin.name);
+  told.contract = text_of(told.plugin.contract);
+  told.summary = text_of(told.plugin.summary);
+  told.reference = text_of(told.plugin.reference);
+  told.takes_polygons = library.polygons != nullptr;
+  if (!told.takes_polygons) return told;
+  require_version(library.polygons->abi, file);
+  told.polygons = *library.polygons;
+  return told;
+}
+
+Message message_of(const Introduction& told) {
+  Message message;
+  message.add(told.failed_with).add(told.failure).add(told.plugin);
+  for (const auto& text : {told.name, told.contract, told.summary, told.reference}) add(message, text);
+  return message.add(told.takes_polygons).add(told.polygons);
+}
+
+// --- questions, answered ---------------------------------------------------------------------------------------------
+
+Message message_of(const Reply& reply) {
+  Message message;
+  message.add(reply.fault.kind).add(reply.fault.detail).add(reply.hit).add(reply.answers.size());
+  return message.add(reply.answers.data(), reply.answers.size());
+}
+
+std::vector<int> answers_about_triangles(const PluginCalls& calls, Kind kind, Reader& in) {
+  const int probe = in.take<int>();
+  const auto n = in.take<std::size_t>();
+  const std::vector<double> queries = in.take_many<double>(15 * n);
+  std::vector<int> answers(in.complete() ? n : 0, -1);
+  if (kind == Kind::batch) {
+    calls.ask_batch(probe, answers.size(), queries.data(), answers.data());
+  } else {
+    calls.ask_each(probe, answers.size(), queries.data(), answers.data());
+  }
+  return answers;
+}
+
+std::vector<int> answer_and_more(const PluginCalls& calls, Reader& in, tribunal_hit& hit) {
+  const int probe = in.take<int>();
+  in.take<std::size_t>();  // one
+  const std::vector<double> query = in.take_many<double>(15);
+  return {in.complete() ? calls.tell(probe, query.data(), hit) : -1};
+}
+
+std::vector<int> answer_when_prepared(const PluginCalls& calls, Reader& in) {
+  const int probe = in.take<int>();
+  const std::vector<double> triangle = in.take_many<double>(9), coordinates = in.take_many<double>(6);
+  return {in.complete() ? calls.prepare(triangle.data())->ask(probe, coordinates.data()) : -1};
+}
+
+std::vector<int> answers_about_polygon(const PluginCalls& calls, Reader& in) {
+  const int probe = in.take<int>();
+  const std::vector<double> coordinates = in.take_many<double>(6);
+  const std::vector<std::size_t> ends = in.take_many<std::size_t>(in.take<std::size_t>());
+  const std::vector<double> vertices = in.take_many<double>(ends.empty() ? 0 : 3 * ends.back());
+  const tribunal_polygon polygon = {ends.size(), ends.data(), vertices.data()};
+  return {calls.ask_polygon(probe, coordinates.data(), polygon)};
+}
+
+std::vector<int> answers_to(const PluginCalls& calls, Reader& in, tribunal_hit& hit) {
+  const Kind kind = in.take<Kind>();
+  if (kind == Kind::polygon) return answers_about_polygon(calls, in);
+  if (kind == Kind::tell) return answer_and_more(calls, in, hit);
+  return kind == Kind::prepared ? answer_when_prepared(calls, in) : answers_about_triangles(calls, kind, in);
+}
+
+Reply reply_to(const PluginCalls& calls, std::vector<char> bytes) {
+  Reader in(std::move(bytes));
+  Reply reply;
+  try {
+    reply.answers = answers_to(calls, in, reply.hit);
+  } catch (const CallFailed& failed) {
+    reply.fault = failed.fault;
+  }
+  if (!has_exact_rounding()) reply.fault = {Status::changed_environment};
+  return reply;
+}
+
+/// Answers until the socket is closed, or there was a fault: what is left of the plugin then is not to be trusted.
+void serve(const PluginCalls& calls, int socket) {
+  std::vector<char> bytes;
+  while (receive_message(socket, bytes, no_deadline()) == Transfer::done) {
+    const Reply reply = reply_to(calls, std::move(bytes));
+    if (send_message(socket, message_of(reply), no_deadline()) != Transfer::done || reply.fault) return;
+    bytes.clear();
+  }
+}
+
+}  // namespace
+
+std::optional<Introduction> introduction_in(std::vector<char> bytes) {
+  Reader in(std::move(bytes));
+  Introduction told;
+  told.failed_with = in.take<int>();
+  told.failure = in.take_text();
+  told.plugin = in.take<tribunal_plugin>();
+  for (auto* const text : {&told.name, &told.contract, &told.summary, &told.reference}) *text = take_optional(in);
+  told.takes_polygons = in.take<char>() != 0;
+  told.polygons = in.take<tribunal_polygon_plugin>();
+  return in.complete() ? std::optional(told) : std::nullopt;
+}
+
+Message question(Kind kind, int probe, std::size_t n, const double* queries) {
+  Message message;
+  message.add(kind).add(probe).add(n);
+  return message.add(queries, 15 * n);
+}
+
+Message question(int probe, const double* triangle, const double* coordinates) {
+  Message message;
+  return message.add(Kind::prepared).add(probe).add(triangle, 9).add(coordinates, 6);
+}
+
+Message question(int probe, const double* coordinates, const tribunal_polygon& polygon) {
+  Message message;
+  message.add(Kind::polygon).add(probe).add(coordinates, 6);
+  message.add(polygon.rings).add(polygon.ends, polygon.rings);
+  return message.add(polygon.vertices, 3 * polygon.ends[polygon.rings - 1]);
+}
+
+std::optional<Reply> reply_in(std::vector<char> bytes) {
+  Reader in(std::move(bytes));
+  Reply reply;
+  reply.fault.kind = in.take<Status>();
+  reply.fault.detail = in.take_text();
+  reply.hit = in.take<tribunal_hit>();
+  reply.answers = in.take_many<int>(in.take<std::size_t>());
+  const bool known = reply.fault.kind == Status::ok || reply.fault.kind == Status::threw ||
+                     reply.fault.kind == Status::gave_no_answer || reply.fault.kind == Status::changed_environment;
+  return in.complete() && known ? std::optional(reply) : std::nullopt;
+}
+
+void host_plugin(const std::string& file, int socket) {
+  Introduction told;
+  std::shared_ptr<const PluginCalls> calls;
+  try {
+    require_exact_rounding();
+    const Library library = open_library(file);
+    told = introduction_of(library, file);
+    calls = calls_here(told.plugin, library.polygons);
+  } catch (const Failure& failure) {
+    told.failed_with = code(failure.exit());
+    told.failure = failure.what();
+  }
+  if (send_message(socket, message_of(told), no_deadline()) == Transfer::done && calls != nullptr)
+    serve(*calls, socket);
+}
+
+}  // namespace tribunal

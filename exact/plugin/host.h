@@ -1,0 +1,49 @@
+// The two ends of the conversation with an isolated plugin: what is asked, and the child that answers.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "exact/harness/fault.h"
+#include "exact/plugin/tribunal_plugin.h"
+#include "exact/plugin/wire.h"
+
+namespace tribunal {
+
+/// What a child says first: what its library describes, or why there is none. The functions in the descriptions are the
+/// child's: here they say only which there are.
+struct Introduction {
+  int failed_with = 0;  ///< an exit code, and `failure` says why
+  std::string failure{};
+  tribunal_plugin plugin{};  ///< in this version
+  std::optional<std::string> name{}, contract{}, summary{}, reference{};
+  bool takes_polygons = false;
+  tribunal_polygon_plugin polygons{};
+};
+
+/// The introduction, from a message; nothing if it is none.
+std::optional<Introduction> introduction_in(std::vector<char> bytes);
+
+/// Of triangles: one after the other, by one call of the plugin's batch function, one of which more is to be told, or
+/// one that is to be prepared first.
+enum class Kind : int { each, batch, tell, prepared, polygon };
+
+Message question(Kind kind, int probe, std::size_t n, const double* queries);
+Message question(int probe, const double* triangle, const double* coordinates);
+Message question(int probe, const double* coordinates, const tribunal_polygon& polygon);
+
+/// What came back: one answer each, or the fault.
+struct Reply {
+  Fault fault{};
+  std::vector<int> answers{};
+  tribunal_hit hit{};  ///< of Kind::tell
+};
+
+/// The reply, from a message; nothing if it is none.
+std::optional<Reply> reply_in(std::vector<char> bytes);
+
+/// What a child does: loads the library, introduces it, and answers until the socket is closed.
+void host_plugin(const std::string& file, int socket);
+
+}  // namespace tribunal

@@ -1,0 +1,109 @@
+// Plugins that do something else than answer, on one case in about forty, for triangles and for polygons: compile with
+// -DFAULT=name. On all others they say what BASE says: that they do not take it, so that whatever is wrong is a fault.
+#include <unistd.h>
+
+#include <cfenv>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <stdexcept>
+
+#include "tribunal_plugin.h"
+
+namespace {
+
+/// A number made of the bits of the first coordinates: the same for the same query.
+unsigned mark_of(const double* x, int n) {
+  std::uint64_t mixed = 0;
+  for (int i = 0; i < n; ++i) {
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &x[i], sizeof bits);
+    mixed = (mixed ^ bits) * 0x9e3779b97f4a7c15ULL;
+    mixed ^= mixed >> 29;
+  }
+  return static_cast<unsigned>(mixed >> 33);
+}
+
+/// What is done in place of answering `answer`.
+namespace fault {
+[[maybe_unused]] int none(int answer) { return answer; }
+[[maybe_unused]] int crash(int) {
+  *static_cast<volatile int*>(nullptr) = 1;
+  return 0;
+}
+[[maybe_unused]] int aborts(int) { std::abort(); }
+[[maybe_unused]] int loops(int) {
+  for (volatile unsigned i = 0;; i = i + 1) {
+  }
+}
+[[maybe_unused]] int throws(int) { throw std::runtime_error("no memory left"); }
+[[maybe_unused]] int throws_number(int) { throw 7; }
+[[maybe_unused]] int exits(int) { std::exit(0); }
+[[maybe_unused]] int answers_seven(int) { return 7; }
+[[maybe_unused]] int prints(int answer) {
+  std::puts("garbage on standard output");
+  std::fflush(stdout);
+  return answer;
+}
+[[maybe_unused]] int is_unsteady(int answer) {
+  static unsigned calls = 0;
+  return ++calls % 3 == 0 ? 1 - answer : answer;
+}
+[[maybe_unused]] int rounds_up(int answer) {
+  std::fesetround(FE_UPWARD);
+  return answer;
+}
+[[maybe_unused]] int writes_everywhere(int answer) {
+  const char garbage[64] = {};
+  for (int i = 3; i < 64; ++i) {
+    if (write(i, garbage, sizeof garbage) < 0) continue;
+  }
+  return answer;
+}
+}  // namespace fault
+
+#ifndef BASE
+#define BASE TRIBUNAL_UNSUPPORTED
+#endif
+#ifndef EVERY
+#define EVERY 40
+#endif
+
+int after_fault(unsigned mark, int answer) { return mark % EVERY == 0 ? fault::FAULT(answer) : answer; }
+
+extern "C" int ask(int probe, const double query[15]) {
+  return after_fault(mark_of(query, 15) + static_cast<unsigned>(probe), BASE);
+}
+
+[[maybe_unused]] void ask_batch(int probe, std::size_t n, const double* queries, int* answers) {
+  for (std::size_t i = 0; i < n; ++i) answers[i] = ask(probe, queries + 15 * i);
+}
+
+/// Crashes for what no single query does.
+[[maybe_unused]] void crashes_in_company(int probe, std::size_t n, const double* queries, int* answers) {
+  if (n > 3) std::abort();
+  ask_batch(probe, n, queries, answers);
+}
+
+int ask_polygon(int, const double coordinates[6], const tribunal_polygon* polygon) {
+  return after_fault(mark_of(coordinates, 6) + static_cast<unsigned>(polygon->rings), BASE);
+}
+
+#ifndef BATCH
+#define BATCH nullptr
+#endif
+
+const tribunal_plugin plugin = {TRIBUNAL_PLUGIN_ABI,  "faulty", "segment, ray; any triangle",
+                                "fails now and then", nullptr,  TRIBUNAL_BINARY64,
+                                TRIBUNAL_CLOSED,      ask,      BATCH};
+const tribunal_polygon_plugin polygons = {TRIBUNAL_PLUGIN_ABI, 0, ask_polygon};
+
+#ifdef CRASHES_ON_LOAD
+[[maybe_unused]] const int loaded = fault::crash(0);
+#endif
+
+}  // namespace
+
+extern "C" const tribunal_plugin* tribunal_plugin_describe() { return &plugin; }
+extern "C" const tribunal_polygon_plugin* tribunal_plugin_describe_polygons() { return &polygons; }
