@@ -12,8 +12,8 @@ faulty() {
   shift
   ${CXX:-c++} -std=c++17 -O1 -shared -fPIC -I "$SOURCE_DIR/exact/plugin" "$@" -o "$name.so" "$SOURCE_DIR/tests/plugin/faulty.cpp"
 }
-hunt=(fuzz --method faulty --family affine --seed 2 --count 400 --threads 2)
-polygon_hunt=(fuzz --method faulty --family polygon-grid --seed 2 --count 120 --threads 2)
+hunt=(fuzz --method faulty --family affine --seed 2 --count 400)
+polygon_hunt=(fuzz --method faulty --family polygon-grid --seed 2 --count 120)
 
 # wrong: how many answers the last fuzz calls wrong, in all.
 wrong() { awk '$1 == "faulty" { sum += $5 } END { print sum + 0 }' out; }
@@ -30,7 +30,7 @@ ends() {
 goes_on() {
   local fault=$1 detail=$2 name=$3
   local isolate=(--plugin "$name.so" --isolate "${@:4}")
-  expect 1 "${hunt[@]}" "${isolate[@]}" --keep 1 --out found
+  expect 1 "${hunt[@]}" "${isolate[@]}" --keep 1 --threads 2 --out found
   says out "FAULT: faulty $fault, in" && says out '400 cases, seed 2' && [ ! -s err ]
   [ "$(wrong)" -eq "$due" ] || { echo "$name: $(wrong) wrong, expected $due" >&2; exit 1; }
   says found/summary.json "\"fault\": \"$fault\"" && lacks found/counterexamples.jsonl '"answered"'
@@ -42,7 +42,7 @@ goes_on() {
   says out "\"fault\":\"$fault\"" && cp out answers.jsonl
   expect 1 judge --cases first.jsonl --answers answers.jsonl
   rm -r found again
-  expect 1 "${polygon_hunt[@]}" "${isolate[@]}" --keep 1 --out found
+  expect 1 "${polygon_hunt[@]}" "${isolate[@]}" --keep 1 --threads 2 --out found
   says out "FAULT: faulty $fault, in" && says out '120 cases, seed 2' && says found/counterexamples.jsonl "$detail"
   rm -r found
 }
