@@ -120,7 +120,7 @@ done
 # What cannot be loaded is refused as ever; what dies as it is loaded, in one line.
 expect 3 methods --plugin missing.so --isolate && says err 'missing.so: cannot read: No such file'
 faulty on_load -DFAULT=none -DCRASHES_ON_LOAD
-expect 3 methods --plugin on_load.so --isolate && says err 'on_load.so: crashed (SIGSEGV) as it was loaded'
+expect 3 methods --plugin on_load.so --isolate && says err 'on_load.so: crashed (SIGABRT) as it was loaded'
 expect 2 fuzz --method sf-double --isolate && says err '--plugin'
 expect 2 fuzz --plugin seven.so --method faulty --time-limit 1 && says err '--isolate'
 expect 2 fuzz --plugin seven.so --method faulty --isolate --time-limit 0
