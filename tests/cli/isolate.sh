@@ -10,7 +10,7 @@ export ASAN_OPTIONS=handle_segv=0:handle_abort=0
 faulty() {
   local name=$1
   shift
-  ${CXX:-c++} -std=c++17 -O1 -shared -fPIC -I "$SOURCE_DIR/exact/plugin" "$@" -o "$name.so" "$SOURCE_DIR/tests/plugin/faulty.cpp"
+  ${CXX:-c++} -std=c++17 -O1 -shared -fPIC -I "$SOURCE_DIR" "$@" -o "$name.so" "$SOURCE_DIR/tests/plugin/faulty.cpp"
 }
 hunt=(fuzz --method faulty --family affine --seed 2 --count 400)
 polygon_hunt=(fuzz --method faulty --family polygon-grid --seed 2 --count 120)

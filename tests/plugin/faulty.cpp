@@ -9,7 +9,7 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "tribunal_plugin.h"
+#include "exact/plugin/tribunal_plugin.h"
 
 namespace {
 
