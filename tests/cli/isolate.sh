@@ -109,7 +109,7 @@ expect 134 "${hunt[@]}" --plugin company.so
 expect 1 "${hunt[@]}" --plugin company.so --isolate --keep 1 --out found && says out 'FAULT: faulty crashed'
 says found/counterexamples.jsonl 'once, not when asked again' && rm -r found
 
-# A plugin that answers is answered for in the same bytes, isolated or not, with and without a batch function.
+# A plugin that answers is answered for in the same bytes, isolated or not.
 example=$SOURCE_DIR/docs/examples/moeller_trumbore.c
 for flag in -DSOUND -DPLANTED_MISTAKE; do
   plugin mine "$flag" "$example"
