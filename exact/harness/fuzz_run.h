@@ -85,7 +85,8 @@ inline void ask_all(const Method& method, const std::vector<Query>& queries, std
 
 inline void require_same_by_ask(const Method&, const PolygonQuery&, const PolygonAnswer&) {}
 
-/// What a batch or a prepared form must never do. Checked where it is wrong, and on every sixteenth case.
+/// What a batch or a prepared form must never do. Checked where it is wrong, and on every 17th case: an odd number, since
+/// in many families every other case is a ray.
 inline void require_same_by_ask(const Method& method, const Query& query, const Answer& by_batch) {
   require_same_when_prepared(method, query);
   if (!method.batch) return;
@@ -106,7 +107,7 @@ void judge_chunk(const BasicFuzzPlan<On>& plan, const Chunk<On>& chunk, std::siz
     const auto& truth = chunk.truths[i];
     const auto& answer = worker.answers[i];
     const Judgement judgement = judge(method, truth, answer);
-    if (judgement == Judgement::wrong || i % 16 == 0) require_same_by_ask(method, chunk.queries[i], answer);
+    if (judgement == Judgement::wrong || i % 17 == 0) require_same_by_ask(method, chunk.queries[i], answer);
     worker.counts.at({m, chunk.stream, trial.level, On::slot_of(trial, truth)}).add(judgement, plain(answer).stage);
     if (judgement != Judgement::wrong) continue;
     ++worker.wrong;
