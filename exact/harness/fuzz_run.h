@@ -85,8 +85,8 @@ inline void ask_all(const Method& method, const std::vector<Query>& queries, std
 
 inline void require_same_by_ask(const Method&, const PolygonQuery&, const PolygonAnswer&) {}
 
-/// What a batch or a prepared form must never do. Checked where it is wrong, and on every 17th case: an odd number, since
-/// in many families every other case is a ray.
+/// What a batch or a prepared form must never do. Checked where it is wrong, and on every 17th case: an odd number,
+/// since in many families every other case is a ray.
 inline void require_same_by_ask(const Method& method, const Query& query, const Answer& by_batch) {
   require_same_when_prepared(method, query);
   if (!method.batch) return;

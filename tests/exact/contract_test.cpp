@@ -204,13 +204,6 @@ TEST_F(ContractCertificate, OfAMethodThatCulls) {
   EXPECT_EQ(broken.counterexamples.front()["finding"]["expected"], 0);
 }
 
-TEST_F(ContractCertificate, NamesWhatHalfOpenEdgesLeaveOpen) {
-  const Certificate c = write(by_rule("half open", {.boundary = Boundary::half_open}, inside));
-  EXPECT_EQ(c.verdict, Verdict::not_refuted);
-  EXPECT_NE(to_markdown(c).find("outside the method's contract: segment, ray; any triangle, half-open edges"),
-            std::string::npos);
-}
-
 TEST(Contracts, SurviveJson) {
   const Contract contracts[] = {{},
                                 back_faces_culled,
