@@ -1,3 +1,4 @@
+#include "exact/methods.h"
 #include "tests/tracer/support.h"
 #include "tracer/demo/html.h"
 #include "tracer/demo/page.h"
@@ -107,6 +108,34 @@ TEST(Page, NamesTheSignThatDoublePrecisionGetsWrong) {
   EXPECT_TRUE(holds(answers_in_words(c), "no hit"));
   EXPECT_TRUE(holds(rule_in_words(c), "of the five wrong here"));
   EXPECT_TRUE(holds(signs_table(c), "answer bad")) << signs_table(c);
+}
+
+/// What being right costs is told of the method to use, not of another exact one that the chart has too.
+TEST(Page, TellsTheCostOfTheFlagship) {
+  Json chart = {{"rows", Json::array()}};
+  for (const char* population : {"general", "degenerate"}) {
+    const auto add = [&](const std::string& method, double median) {
+      chart["rows"].push_back(
+          {{"method", method}, {"population", population}, {"drawn", true}, {"nanoseconds", {{"median", median}}}});
+    };
+    for (const Method& m : all_methods()) add(m.name, 230);
+    for (Json& row : chart["rows"]) {
+      if (row["method"] == "sf-double") row["nanoseconds"]["median"] = 10;
+      if (row["method"] == flagship_method().name) row["nanoseconds"]["median"] = 27;
+    }
+  }
+  EXPECT_EQ(
+      cost_in_words(chart),
+      "In this run the exact test with a filter, <code>sf-filtered</code>, took 2.7 times as long on random points "
+      "as <code>sf-double</code>, 2.7 times as long on exactly degenerate ones.");
+  EXPECT_EQ(cost_in_words({{"rows", Json::array()}}), "");
+}
+
+TEST(Page, NamesTheMethodsThatReadThePlaneOtherwise) {
+  Tour tour = small_tour();
+  EXPECT_FALSE(holds(page(tour), "To some of them"));
+  tour.fuzz.push_back({"mt-float", 1000, 3});
+  EXPECT_TRUE(holds(page(tour), "<code>mt-float</code> (Möller &amp; Trumbore 1997)."));
 }
 
 TEST(Tour, PicksTheShortestCounterexampleInGeneralPlace) {

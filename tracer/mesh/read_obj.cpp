@@ -1,7 +1,8 @@
 // Wavefront OBJ: "v x y z" and "f i j k …". Source: Wavefront's "Object Files (.obj)", appendix B1 of the Advanced
 // Visualizer manual.
 #include <algorithm>
-#include <limits>
+#include <iterator>
+#include <utility>
 
 #include "tracer/mesh/readers.h"
 #include "tracer/mesh/text.h"

@@ -2,6 +2,7 @@
 // 3D Systems, "StereoLithography Interface Specification", 1989. Corners at the same place are one vertex.
 #include <algorithm>
 #include <cctype>
+#include <utility>
 
 #include "tracer/mesh/bytes.h"
 #include "tracer/mesh/merged_points.h"
