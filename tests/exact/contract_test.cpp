@@ -81,7 +81,8 @@ std::vector<Row> rows() {
 }
 
 Count counted(const Method& method, std::uint64_t cases) {
-  FuzzPlan plan{.methods = {method}, .streams = all_streams(), .seed = 11, .cases = cases, .threads = 2};
+  FuzzPlan plan{
+      .methods = {method}, .streams = streams_of(Operands::triangles), .seed = 11, .cases = cases, .threads = 2};
   Count total;
   fuzz(plan).counts.for_each([&](const Cell&, const Count& c) { total += c; });
   return total;
@@ -143,14 +144,14 @@ TEST(Contracts, JudgeOneCase) {
 /// EPICK, which says the side of a case by construction, is held against the rational kernel.
 TEST(Contracts, SidesAgreeOnEveryFamily) {
   int crossings = 0;
-  for (const Stream& stream : all_streams()) {
+  for (const Stream& stream : streams_of(Operands::triangles)) {
     for (std::uint64_t i = 0; i < 200; ++i) {
       const Trial trial = stream.family->make(stream.format, 3, i);
       const Truth truth = truth_of(trial, i);
       EXPECT_EQ(truth.facing == Facing::unsaid, !truth.hit() || truth.contact == Contact::coplanar);
       if (truth.facing == Facing::unsaid) continue;
       ++crossings;
-      const auto exactly = [&](const auto& probe) { return facing(probe, trial.query.triangle, RationalKernel{}); };
+      const auto exactly = [&](const auto& probe) { return facing(probe, trial.query.triangle(), RationalKernel{}); };
       ASSERT_EQ(std::visit(exactly, trial.query.probe), truth.facing) << name_of(stream) << " case " << i;
     }
   }
@@ -158,10 +159,10 @@ TEST(Contracts, SidesAgreeOnEveryFamily) {
 }
 
 std::uint64_t relations_broken(const Method& method, std::string_view only = {}) {
-  FuzzPlan plan{.methods = {method}, .streams = all_streams(), .cases = 2'600, .threads = 2};
+  FuzzPlan plan{.methods = {method}, .streams = streams_of(Operands::triangles), .cases = 2'600, .threads = 2};
   std::uint64_t broken = 0;
   for (const RelationCount& c : check_relations(plan)) {
-    if (only.empty() || all_relations()[c.relation].name == only) broken += c.broken;
+    if (only.empty() || relations_of(Operands::triangles)[c.relation].name == only) broken += c.broken;
   }
   return broken;
 }

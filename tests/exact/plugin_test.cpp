@@ -231,7 +231,7 @@ TEST(Plugin, TellsContactAndParameter) {
     const Ray* ray = std::get_if<Ray>(&query.probe);
     if (ray == nullptr) continue;
     const std::optional<double> t = answer.hit && ray->o.x > 0 ? std::optional<double>(ray->o.x) : std::nullopt;
-    ASSERT_EQ(method.parameter(*ray, query.triangle), t);
+    ASSERT_EQ(method.parameter(*ray, query.triangle()), t);
     hits += t.has_value();
   }
   EXPECT_GT(hits, 50);
@@ -265,13 +265,13 @@ TEST(Plugin, PreparesTrianglesAndReleasesThem) {
   const Method method = plugin_method(plugin, "x.so");
   for (const Query& query : some_queries(30)) EXPECT_NO_THROW(require_same_when_prepared(method, query));
   {
-    const PreparedTriangle one = method.prepare_triangle(through.triangle);
+    const PreparedTriangle one = method.prepare_triangle(through.triangle());
     const auto segment = one.segment;
     EXPECT_EQ(prepared_now, 1);
   }
   EXPECT_EQ(prepared_now, 0);
   plugin.prepare = [](const double*) -> void* { return nullptr; };
-  EXPECT_THROW(plugin_method(plugin, "x.so").prepare_triangle(through.triangle), Failure);
+  EXPECT_THROW(plugin_method(plugin, "x.so").prepare_triangle(through.triangle()), Failure);
 }
 
 }  // namespace

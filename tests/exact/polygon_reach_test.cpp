@@ -47,10 +47,6 @@ std::vector<double> numbers_of(const std::vector<Point3>& points) {
   return numbers;
 }
 
-std::string name_of(const Stream& s) {
-  return std::string(s.family->name) + " " + std::string(tribunal::name_of(s.format));
-}
-
 /// Chance repeats remain where a family leaves few numbers to draw.
 TEST(PolygonDraws, NoFamilyRepeatsItself) {
   constexpr std::uint64_t n = 3'432;
