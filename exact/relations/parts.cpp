@@ -127,7 +127,8 @@ std::optional<Instance> segment_as_triangle(const Query& query, Format, Draw& dr
 
 std::optional<Instance> hit_has_point(const Query& query, Format, Draw&) {
   const auto x = common_point(query);
-  return Instance{{query}, [=](const Method& method) { return is_evident(ask_or_fail(method, query), query, x, method); }};
+  return Instance{{query},
+                  [=](const Method& method) { return is_evident(ask_or_fail(method, query), query, x, method); }};
 }
 
 /// A method may also miss what is no hit by its contract.

@@ -6,7 +6,6 @@
 #include "exact/oracles/polygon_oracles.h"
 #include "exact/relations/polygon_rows.h"
 
-
 namespace tribunal {
 namespace {
 

@@ -271,7 +271,8 @@ TEST(Plugin, PreparesTrianglesAndReleasesThem) {
   }
   EXPECT_EQ(prepared_now, 0);
   plugin.prepare = [](const double*) -> void* { return nullptr; };
-  EXPECT_THROW(plugin_method(plugin, "x.so").prepare_triangle(through.triangle()), Failure);
+  const PreparedTriangle failed = plugin_method(plugin, "x.so").prepare_triangle(through.triangle());
+  EXPECT_THROW(failed.segment(std::get<Segment>(through.probe)), MethodFault);
 }
 
 }  // namespace

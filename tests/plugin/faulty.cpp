@@ -9,7 +9,7 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "tribunal_plugin.h"
+#include "exact/plugin/tribunal_plugin.h"
 
 namespace {
 
@@ -100,7 +100,7 @@ const tribunal_plugin plugin = {TRIBUNAL_PLUGIN_ABI,  "faulty", "segment, ray; a
 const tribunal_polygon_plugin polygons = {TRIBUNAL_PLUGIN_ABI, 0, ask_polygon};
 
 #ifdef CRASHES_ON_LOAD
-[[maybe_unused]] const int loaded = fault::crash(0);
+__attribute__((constructor)) void crash_on_load() { std::abort(); }
 #endif
 
 }  // namespace

@@ -237,7 +237,7 @@ TEST(Compare, CasesShowTheDifference) {
     const auto parting = parting_at(world, naive, exact, pixels[i], 1);
     ASSERT_TRUE(parting);
     if (!parting->face) continue;
-    const Case c = std::get<Case>(to_case(world, naive, exact, pixels[i], *parting));
+    const Case c = to_case(world, naive, exact, pixels[i], *parting);
     EXPECT_NE(naive.ask(c.query).hit, exact.ask(c.query).hit) << c.id;
     EXPECT_EQ(to_case(from_case(c), Where{"test"}).id, c.id) << "the reader accepts it, binary32 coordinates and all";
     ++cases;

@@ -72,7 +72,8 @@ Misses misses(const Method& m, double offset) {
     const Point3 from = Point3(offset) + Point3(2621441, 1703937, 3145735);
     for (const Point3& target : targets_of(scene.solids[0].mesh)) {
       ++count.rays;
-      count.missed += !eye.first_hit({in_format(from, m.contract.format), {in_format(target - from, m.contract.format)}});
+      count.missed +=
+          !eye.first_hit({in_format(from, m.contract.format), {in_format(target - from, m.contract.format)}});
     }
   }
   return count;
