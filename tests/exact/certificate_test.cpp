@@ -374,7 +374,7 @@ TEST_F(CertificateTest, OfPolygonsFindsAPlantedBug) {
 /// Every digit counts: in the log, in what is made of it, and a stratum dropped with the chain made anew.
 TEST_F(CertificateTest, OfPolygonsIsHeldAgainstItsLog) {
   write_polygons("sf-epick", 6);
-  expect_edits_noticed(4999);
+  expect_edits_noticed(14'983);
   forge([](std::vector<Json>& records) {
     for (Json& r : records) {
       if (r["record"] == "sample" && r["method"] == "sf-epick" && r["counts"].contains("dart / outer edge / to")) {
