@@ -2,6 +2,7 @@
 #include "exact/certificate/certificate.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -25,7 +26,9 @@ class CertificateTest : public testing::Test {
  protected:
   void SetUp() override {
     const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    directory_ = (std::filesystem::temp_directory_path() / (std::string("tribunal-") + test->name())).string();
+    directory_ = (std::filesystem::temp_directory_path() /
+                  ("tribunal-" + std::string(test->name()) + "-" + std::to_string(getpid())))
+                     .string();
     make_directory(directory_);
   }
   void TearDown() override { std::filesystem::remove_all(directory_); }

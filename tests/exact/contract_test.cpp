@@ -1,6 +1,7 @@
 // Methods judged by their contract: for each value a method that keeps it and one that breaks it, through the judge,
 // the fuzz run, whole sets, relations and certificates. And the table of methods with its roles.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 
@@ -177,7 +178,7 @@ TEST(Contracts, RelationsBlameNoMethodThatKeepsIts) {
 class ContractCertificate : public testing::Test {
  protected:
   void SetUp() override {
-    directory_ = (std::filesystem::temp_directory_path() / "tribunal-contract-certificate").string();
+    directory_ = (std::filesystem::temp_directory_path() / ("tribunal-contracts-" + std::to_string(getpid()))).string();
     make_directory(directory_);
   }
   void TearDown() override { std::filesystem::remove_all(directory_); }
