@@ -71,7 +71,7 @@ std::vector<Stream> streams_named(const std::string& comma_separated) {
     }
     if (!streams.empty() && streams.front().family->operands != family.operands) {
       throw Failure(Exit::usage, "family " + name + " asks other operands than " +
-                                     std::string(streams.front().family->name) + ": ask for polygons apart");
+                                     std::string(streams.front().family->name) + ": ask for it apart");
     }
     for (const Format format : {Format::binary64, Format::binary32}) streams.push_back({&family, format});
   }
