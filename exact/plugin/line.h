@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "core/method.h"
-#include "exact/harness/fault.h"
-#include "exact/io/case_io.h"
+#include "exact/base/fault.h"
+#include "exact/cases/case_io.h"
 #include "exact/plugin/calls.h"
 
 namespace tribunal {

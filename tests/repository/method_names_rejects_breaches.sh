@@ -13,7 +13,7 @@ sound_tree() {
     echo 'const std::vector<Row> table = {'
     for name in sf-float sf-double mt-float haines-double cgal-epick; do printf '    {"%s", make},\n' "$name"; done
     echo '};'
-  } >exact/methods.cpp
+  } >exact/methods/methods.cpp
   printf '// The test "sf-double" is naive.\nint x;  ///< e.g. "sf-double"\nauto s = "a half-open sf";\n' >core/a.h
   printf 'auto a = "sf-double";\n' >exact/cli/fuzz.cpp
   printf 'auto a = "--method mt-float";\n' >tracer/cli/demo.cpp
@@ -42,7 +42,7 @@ rejects core/a.cpp 'return "the exact test, <code>mt-float</code>, took";'
 rejects tracer/a.cpp 'if (m.name.starts_with("mt-")) draw();'
 rejects tracer/a.cpp 'text = "see haines-double";'
 sound_tree
-: >exact/methods.cpp
+: >exact/methods/methods.cpp
 if bash "$names" . 2>/dev/null; then
   echo "a table without rows was accepted" >&2
   exit 1
