@@ -6,25 +6,11 @@
 #include <string>
 #include <string_view>
 
-#include "core/method.h"
+#include "core/format.h"
 #include "core/vec3.h"
+#include "exact/base/json_fwd.h"
 
 namespace tribunal {
-
-/// Keeps keys in the order of writing: files are read by people too.
-using Json = nlohmann::ordered_json;
-
-/// Where a value stands, for messages: file, line (0: unknown) and path inside the object.
-struct Where {
-  std::string file;
-  std::size_t line = 0;
-  std::string path{};
-
-  Where key(std::string_view name) const;
-  Where index(std::size_t i) const;
-  /// Throws Failure(bad_input): `file:line: path: what`.
-  [[noreturn]] void fail(const std::string& what) const;
-};
 
 /// "0x1.8p+1". Every finite double has one; −0 is "-0x0p+0".
 std::string hex_float(double x);

@@ -5,6 +5,7 @@
 
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
+#include "exact/cases/case_line.h"
 #include "exact/classes/class_table.h"
 
 namespace tribunal {
@@ -171,6 +172,10 @@ Json from_case(const Case& c) {
   if (!c.source.empty()) object["source"] = c.source;
   if (!c.finding.is_null()) object["finding"] = c.finding;
   return object;
+}
+
+std::string case_line(const std::string& id, const Query& query) {
+  return from_case({.id = id, .query = query}).dump();
 }
 
 void for_each_line(const std::string& path, const std::function<void(const Json& object, const Where& where)>& visit) {

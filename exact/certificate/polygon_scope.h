@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/due.h"
 #include "core/polygon.h"
 #include "exact/oracles/caratheodory.h"
 #include "exact/oracles/point_in_rings.h"

@@ -3,6 +3,7 @@
 
 #include <cstdio>
 
+#include "exact/base/json.h"
 #include "exact/certificate/bounds.h"
 #include "exact/chart/rate.h"
 #include "exact/record/environment.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "exact/base/json.h"
+#include "exact/base/json_fwd.h"
 #include "exact/chart/populations.h"
 #include "exact/chart/timing.h"
 

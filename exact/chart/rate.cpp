@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "exact/base/json.h"
 #include "exact/certificate/bounds.h"
 
 namespace tribunal {

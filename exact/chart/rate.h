@@ -1,7 +1,7 @@
 // A share of wrong answers with what it leaves open.
 #pragma once
 
-#include "exact/base/json.h"
+#include "exact/base/json_fwd.h"
 #include "exact/trial/judge.h"
 
 namespace tribunal {

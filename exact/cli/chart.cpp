@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "exact/base/files.h"
+#include "exact/base/json.h"
 #include "exact/cli/command.h"
 #include "exact/methods/methods.h"
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "exact/base/json.h"
+
 namespace tribunal {
 namespace {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/contract.h"
-#include "exact/base/json.h"
+#include "exact/base/json_fwd.h"
 
 namespace tribunal {
 

@@ -6,6 +6,8 @@
 #include <fstream>
 #include <string>
 
+#include "exact/base/json.h"
+
 namespace tribunal {
 namespace {
 

@@ -1,7 +1,7 @@
 // What a result was made with.
 #pragma once
 
-#include "exact/base/json.h"
+#include "exact/base/json_fwd.h"
 
 namespace tribunal {
 

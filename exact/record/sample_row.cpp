@@ -4,6 +4,8 @@
 #include <tuple>
 #include <utility>
 
+#include "exact/base/json.h"
+
 namespace tribunal {
 namespace {
 

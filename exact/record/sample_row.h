@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "exact/base/json.h"
+#include "exact/base/json_fwd.h"
 #include "exact/trial/fuzz.h"
 
 namespace tribunal {

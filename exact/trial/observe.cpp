@@ -1,7 +1,7 @@
 #include "exact/trial/observe.h"
 
 #include "exact/base/fp_environment.h"
-#include "exact/cases/case_io.h"
+#include "exact/cases/case_line.h"
 
 namespace tribunal {
 namespace {
@@ -59,8 +59,7 @@ Asked observe(const Method& method, const Query& query, int times) {
 Answer ask_or_fail(const Method& method, const Query& query) {
   const Asked asked = try_ask(method, query);
   if (!asked.fault) return asked.answer;
-  const Case c{.id = "fault", .query = query};
-  throw MethodFault(asked.fault, method.name + ": " + describe(asked.fault) + ", on " + from_case(c).dump());
+  throw MethodFault(asked.fault, method.name + ": " + describe(asked.fault) + ", on " + case_line("fault", query));
 }
 
 }  // namespace tribunal

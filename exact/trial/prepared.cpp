@@ -1,7 +1,7 @@
 #include "exact/trial/prepared.h"
 
 #include "exact/base/failure.h"
-#include "exact/cases/case_io.h"
+#include "exact/cases/case_line.h"
 
 namespace tribunal {
 namespace {
@@ -13,7 +13,7 @@ void require_same(const Method& method, const Query& query, const Answer& prepar
   const Answer plain = method.ask(query);
   if (plain.status == prepared.status && plain.hit == prepared.hit) return;
   throw Failure(Exit::disagreement, method.name + " answers otherwise with a prepared " + what + " than without, on " +
-                                        from_case(Case{.id = "prepared", .query = query}).dump());
+                                        case_line("prepared", query));
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #include "exact/trial/truth.h"
 
 #include "exact/base/failure.h"
-#include "exact/cases/case_io.h"
+#include "exact/cases/case_line.h"
 #include "exact/classes/class_table.h"
 #include "exact/methods/cgal_kernels.h"
 #include "exact/trial/truth_rules.h"
@@ -31,9 +31,8 @@ void require_fit(const Trial& trial, const Truth& truth) {
 }  // namespace
 
 void contradiction(const Query& query, const std::string& one, const std::string& other) {
-  const Case witness{.id = "contradiction", .query = query};
   throw Failure(Exit::oracles_contradict,
-                "oracles contradict each other: " + one + ", " + other + ", on " + from_case(witness).dump());
+                "oracles contradict each other: " + one + ", " + other + ", on " + case_line("contradiction", query));
 }
 
 Truth truth_of_class(ClassId id) {

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "exact/base/files.h"
+#include "exact/base/json.h"
 #include "exact/certificate/bounds.h"
 #include "exact/chart/rate.h"
 #include "tests/tracer/support.h"

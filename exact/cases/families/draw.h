@@ -2,8 +2,8 @@
 // Source: Salmon, Moraes, Dror & Shaw, "Parallel random numbers: as easy as 1, 2, 3", SC 2011 (Philox, by Random123).
 #pragma once
 
-#include <Random123/philox.h>
-
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace tribunal {
@@ -12,17 +12,14 @@ namespace tribunal {
 class Draw {
  public:
   Draw(std::uint32_t family, std::uint64_t seed, std::uint64_t k)
-      : key_{{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)}},
-        counter_{{0, family, static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(k >> 32)}} {}
+      : key_{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)},
+        counter_{0, family, static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(k >> 32)} {}
 
   std::uint64_t next() {
-    if (half_ == 0) {
-      block_ = r123::Philox4x32()(counter_, key_);
-      ++counter_.v[0];
-    }
+    if (half_ == 0) next_block();
     const std::size_t at = 2 * half_;
     half_ ^= 1U;
-    return (std::uint64_t{block_.v[at]} << 32) | block_.v[at + 1];
+    return (std::uint64_t{block_[at]} << 32) | block_[at + 1];
   }
 
   /// Uniform in [0, n), n > 0, by Lemire's multiplication; the bias is below n/2⁶⁴.
@@ -37,9 +34,11 @@ class Draw {
   }
 
  private:
-  r123::Philox4x32::key_type key_;
-  r123::Philox4x32::ctr_type counter_;
-  r123::Philox4x32::ctr_type block_{};
+  void next_block();
+
+  std::array<std::uint32_t, 2> key_;
+  std::array<std::uint32_t, 4> counter_;
+  std::array<std::uint32_t, 4> block_{};
   std::size_t half_ = 0;
 };
 
