@@ -11,16 +11,6 @@
 
 namespace tribunal {
 
-template <class N>
-N dot(const Vec3<N>& a, const Vec3<N>& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-template <class N>
-Vec3<N> cross(const Vec3<N>& a, const Vec3<N>& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
 /// Parameter t of the line origin + t·d where it meets the closed triangle, or nothing. A line parallel to the plane
 /// (determinant exactly 0 in N) meets nothing. N is a floating type.
 template <class N>

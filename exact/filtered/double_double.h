@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace tribunal {
+namespace tribunal::detail {
 
 /// The number hi + lo, where hi is that sum rounded to nearest.
 ///
@@ -50,4 +50,4 @@ struct DoubleDouble {
   DoubleDouble(double h, double l) : hi(h), lo(l) {}
 };
 
-}  // namespace tribunal
+}  // namespace tribunal::detail

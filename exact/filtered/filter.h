@@ -6,7 +6,7 @@
 #include "core/kernel.h"
 #include "exact/filtered/filter_bounds.h"
 
-namespace tribunal {
+namespace tribunal::detail {
 
 /// The sign of x if |x| > bound; nothing otherwise, and for NaN.
 template <class N>
@@ -57,4 +57,4 @@ std::optional<Sign> filter_compare_hits(const Ray& r, const Triangle& s, const T
   return *difference * *first * *second;
 }
 
-}  // namespace tribunal
+}  // namespace tribunal::detail

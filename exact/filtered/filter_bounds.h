@@ -3,7 +3,7 @@
 
 #include "core/operands.h"
 
-namespace tribunal {
+namespace tribunal::detail {
 
 /// A computed volume that exceeds its bound in magnitude has the right sign.
 ///
@@ -110,4 +110,4 @@ N volume_bound(const Vec3<N>& m, const FilterConstants<N>& c) {
   return c.k * m.x * m.y * m.z + c.tiny;
 }
 
-}  // namespace tribunal
+}  // namespace tribunal::detail

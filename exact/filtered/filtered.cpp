@@ -1,12 +1,15 @@
 #include "exact/filtered/filtered.h"
 
 #include "core/segura_feito.h"
+#include "exact/classes/classify.h"
 #include "exact/filtered/filtered_kernel.h"
 #include "exact/filtered/stages/exact_stages.h"
 #include "exact/filtered/term_filter.h"
-#include "exact/kernels/segura_feito_method.h"
 
 namespace tribunal {
+
+using namespace detail;
+
 namespace {
 
 bool all_finite(const Segment& s, const Triangle& t) { return is_finite(s) && is_finite(t); }

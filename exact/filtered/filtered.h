@@ -23,8 +23,8 @@ namespace tribunal {
 /// Whether the probe certainly meets or certainly misses the triangle; nothing where rounding could matter. Without
 /// branches, so that its time does not depend on the answer.
 template <class N, class P>
-[[gnu::flatten]] std::optional<bool> filter_hits(const P& probe, const Triangle& t, const PairConstants<N>& c) {
-  const auto certain = conclude<P>(arms_of<N>(probe, t), c);
+[[gnu::flatten]] std::optional<bool> filter_hits(const P& probe, const Triangle& t, const detail::PairConstants<N>& c) {
+  const auto certain = detail::conclude<P>(detail::arms_of<N>(probe, t), c);
   if (certain.hit == certain.miss) return std::nullopt;
   return certain.hit;
 }
@@ -39,13 +39,13 @@ bool hits_past_filter(const Ray& r, const Triangle& t);
 
 /// Whether the closed segment and the closed triangle have a point in common. On the order of 10 ns.
 [[gnu::flatten]] inline bool hits(const Segment& s, const Triangle& t) {
-  if (const std::optional<bool> certain = filter_hits(s, t, pair_filter<Segment>)) return *certain;
+  if (const std::optional<bool> certain = filter_hits(s, t, detail::pair_filter<Segment>)) return *certain;
   return hits_past_filter(s, t);
 }
 
 /// Whether the ray {o + λ·d, λ ≥ 0} and the closed triangle have a point in common.
 [[gnu::flatten]] inline bool hits(const Ray& r, const Triangle& t) {
-  if (const std::optional<bool> certain = filter_hits(r, t, pair_filter<Ray>)) return *certain;
+  if (const std::optional<bool> certain = filter_hits(r, t, detail::pair_filter<Ray>)) return *certain;
   return hits_past_filter(r, t);
 }
 

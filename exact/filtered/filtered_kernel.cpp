@@ -8,6 +8,9 @@
 #include "exact/filtered/term_filter.h"
 
 namespace tribunal {
+
+using namespace detail;
+
 namespace {
 
 /// The operands of one sign; X is a point or a direction.

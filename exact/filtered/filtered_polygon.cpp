@@ -6,6 +6,9 @@
 #include "exact/filtered/filtered_kernel.h"
 
 namespace tribunal {
+
+using namespace detail;
+
 namespace {
 
 double largest_coordinate(const Vec3<double>& v) { return larger(larger_magnitude(v.x, v.y), magnitude(v.z)); }

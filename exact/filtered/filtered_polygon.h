@@ -46,7 +46,7 @@ class FilteredPolygon {
   std::optional<bool> filter_between(const Segment& s) const;
 
   /// For the same filter on vector lanes (batch/polygon_lanes.h). Views this polygon, which may be moved.
-  PolygonFigures figures() const;
+  detail::PolygonFigures figures() const;
 
  private:
   /// Of the vertices of a run, seen from a point, a bit each: which lie below it, and which begin an edge that is
@@ -71,16 +71,16 @@ class FilteredPolygon {
   template <class P>
   bool decide_hit(const P& probe) const;
   template <class P>
-  std::optional<bool> certain_parity(Twin<double> x, Twin<double> y, Twin<double> z, Twin<double> heights,
-                                     Twin<double> reach) const;
-  View view_of(const RingRun& run, const PlaneCrossing<double>& x, double range) const;
+  std::optional<bool> certain_parity(detail::Twin<double> x, detail::Twin<double> y, detail::Twin<double> z,
+                                     detail::Twin<double> heights, detail::Twin<double> reach) const;
+  View view_of(const detail::RingRun& run, const detail::PlaneCrossing<double>& x, double range) const;
 
-  Vec3<Twin<double>> base_{{0, 0}, {0, 0}, {0, 0}},
+  Vec3<detail::Twin<double>> base_{{0, 0}, {0, 0}, {0, 0}},
       normal_{{0, 0}, {0, 0}, {0, 0}};  ///< a vertex, and the plane's normal, scaled, or zero
   double extent_ = 0;                   ///< the largest coordinate of the projected vertices
   int u_ = 0, v_ = 1;                   ///< the axes on which the polygon is projected
-  RingRun first_run_{};                 ///< the rings, closed, one after the other, as seen from the base
-  std::vector<RingRun> other_runs_;     ///< what is beyond 64 vertices
+  detail::RingRun first_run_{};         ///< the rings, closed, one after the other, as seen from the base
+  std::vector<detail::RingRun> other_runs_;     ///< what is beyond 64 vertices
   std::vector<double> flat_;            ///< what the runs point to
   Covering covering_;
 };
@@ -88,9 +88,10 @@ class FilteredPolygon {
 /// The plane first: both ends certainly on one side miss. Then the point, if they are certainly on two.
 template <class Told, class P, class Otherwise>
 [[gnu::always_inline]] inline Told FilteredPolygon::filtered(const P& probe, const Otherwise& otherwise) const {
-  const Vec3<Twin<double>> ends = ends_from(base_, probe);
-  const Twin<double> reach = reach_of(ends), h = dot(normal_, ends);
-  const Twin<double> bound = reach * twice(crossing_bounds.height) + twice(crossing_bounds.tiny);
+  const Vec3<detail::Twin<double>> ends = detail::ends_from(base_, probe);
+  const detail::Twin<double> reach = reach_of(ends), h = dot(normal_, ends);
+  const detail::Twin<double> bound =
+      reach * detail::twice(detail::crossing_bounds.height) + detail::twice(detail::crossing_bounds.tiny);
   if (!both_beyond(h, bound)) return otherwise();
   if (same_sign(h)) return false;
   if (const std::optional<bool> odd = certain_parity<P>(ends.x, ends.y, ends.z, h, reach)) return *odd;
@@ -101,14 +102,17 @@ template <class Told, class P, class Otherwise>
 /// certain. Certain only in general position: no vertex at the height of the point, no edge through it. There the
 /// parity is that of the covering's sum (docs/polygons.md).
 template <class P>
-[[gnu::noinline]] std::optional<bool> FilteredPolygon::certain_parity(Twin<double> x, Twin<double> y, Twin<double> z,
-                                                                      Twin<double> heights, Twin<double> reach) const {
-  const double range = crossing_range<P>(reach, extent_);
-  if (!(range < crossing_bounds.huge)) return std::nullopt;
-  const Twin<double> along[3] = {x, y, z};
-  const PlaneCrossing<double> at = plane_crossing<P>(heights, Vec2<Twin<double>>{along[u_], along[v_]});
+[[gnu::noinline]] std::optional<bool> FilteredPolygon::certain_parity(detail::Twin<double> x, detail::Twin<double> y,
+                                                                      detail::Twin<double> z,
+                                                                      detail::Twin<double> heights,
+                                                                      detail::Twin<double> reach) const {
+  const double range = detail::crossing_range<P>(reach, extent_);
+  if (!(range < detail::crossing_bounds.huge)) return std::nullopt;
+  const detail::Twin<double> along[3] = {x, y, z};
+  const detail::PlaneCrossing<double> at =
+      plane_crossing<P>(heights, Vec2<detail::Twin<double>>{along[u_], along[v_]});
   bool certain = true, odd = false;
-  const RingRun* run = &first_run_;
+  const detail::RingRun* run = &first_run_;
   for (std::size_t others = 0;; run = &other_runs_[others++]) {
     const View view = view_of(*run, at, range);
     certain &= view.certain;
@@ -119,25 +123,25 @@ template <class P>
   return odd;
 }
 
-[[gnu::always_inline]] inline FilteredPolygon::View FilteredPolygon::view_of(const RingRun& run,
-                                                                             const PlaneCrossing<double>& x,
+[[gnu::always_inline]] inline FilteredPolygon::View FilteredPolygon::view_of(const detail::RingRun& run,
+                                                                             const detail::PlaneCrossing<double>& x,
                                                                              double range) const {
-  const Twin<double> den = twice(x.den), point = twice(x.point.v);
-  Twin<double> least = twice(crossing_bounds.huge);
+  const detail::Twin<double> den = detail::twice(x.den), point = detail::twice(x.point.v);
+  detail::Twin<double> least = detail::twice(detail::crossing_bounds.huge);
   std::uint64_t below = 0;
   for (std::size_t i = run.size; i > 0;) {
     i -= 2;
-    const Twin<double> ahead = Twin<double>{run.v[i], run.v[i + 1]} * den - point;
+    const detail::Twin<double> ahead = detail::Twin<double>{run.v[i], run.v[i + 1]} * den - point;
     below = below << 2 | negative_bits(ahead);
     least = smaller(magnitude(ahead), least);
   }
-  const double vertex = crossing_bounds.vertex * range + crossing_bounds.tiny;
-  const double edge = crossing_bounds.edge * range * extent_ + crossing_bounds.tiny;
-  View view{both_beyond(least, twice(vertex)), below, 0};
+  const double vertex = detail::crossing_bounds.vertex * range + detail::crossing_bounds.tiny;
+  const double edge = detail::crossing_bounds.edge * range * extent_ + detail::crossing_bounds.tiny;
+  View view{both_beyond(least, detail::twice(vertex)), below, 0};
   for (std::uint64_t crossed = (below ^ below >> 1) & run.edges; crossed != 0; crossed &= crossed - 1) {
     const auto i = static_cast<std::size_t>(std::countr_zero(crossed));
     const double side = edge_side(x, {run.u[i], run.v[i]}, {run.u[i + 1], run.v[i + 1]});
-    view.certain &= magnitude(side) > edge;
+    view.certain &= detail::magnitude(side) > edge;
     view.ahead |= std::uint64_t{(side > 0) == ((below >> i & 1) != 0)} << i;
   }
   return view;

@@ -5,11 +5,11 @@
 
 #include <type_traits>
 
-#include "core/moeller_trumbore.h"
 #include "core/operands.h"
+#include "core/vec3.h"
 #include "exact/filtered/twin.h"
 
-namespace tribunal {
+namespace tribunal::detail {
 
 /// The bounds of this file. A unit is `rounding`. `tiny` covers underflow, `huge` is where the filter abstains.
 struct CrossingBounds {
@@ -85,4 +85,4 @@ N edge_side(const PlaneCrossing<N>& x, const Vec2<N>& a, const Vec2<N>& b) {
   return (b.v - a.v) * x.ahead_u(a.u) - (b.u - a.u) * x.ahead_v(a.v);
 }
 
-}  // namespace tribunal
+}  // namespace tribunal::detail

@@ -7,7 +7,7 @@
 
 #include "core/vec3.h"
 
-namespace tribunal {
+namespace tribunal::detail {
 
 /// Up to 64 vertices of a polygon's rings in a row, projected and seen from the base; bit i of `edges` is set if a ring
 /// edge leads from vertex i to the next. Views the polygon's figures.
@@ -26,4 +26,4 @@ struct PolygonFigures {
   std::vector<RingRun> runs;
 };
 
-}  // namespace tribunal
+}  // namespace tribunal::detail

@@ -25,6 +25,9 @@
 #include "exact/filtered/term_filter.h"
 
 namespace tribunal {
+
+using namespace detail;
+
 namespace {
 
 /// A signed volume in twice the precision, and what it may be off by, relatively: 1 or more where nothing is known.

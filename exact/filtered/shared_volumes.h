@@ -5,12 +5,12 @@
 #include <type_traits>
 #include <utility>
 
-#include "core/moeller_trumbore.h"
 #include "core/operands.h"
+#include "core/signed_volume.h"
 #include "exact/filtered/filter_bounds.h"
 #include "exact/filtered/twin.h"
 
-namespace tribunal {
+namespace tribunal::detail {
 
 /// The differences that all five volumes are made of, two by two: (u | w) and (v | d), where u = b − a, v = c − a,
 /// w = source − a, and d leads from source to target. Each coordinate is rounded once; a ray's direction not at all.
@@ -158,4 +158,4 @@ Conclusion<N> conclude(const Arms<N>& arms, const PairConstants<N>& c) {
   return {volumes, bound, safe, Truth<N>((margin > bound) & safe), Truth<N>((margin < bound * N(-3.0)) & safe)};
 }
 
-}  // namespace tribunal
+}  // namespace tribunal::detail

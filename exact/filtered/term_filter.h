@@ -18,7 +18,7 @@
 
 #include "exact/filtered/filter.h"
 
-namespace tribunal {
+namespace tribunal::detail {
 
 /// A determinant as computed, and the sum of the magnitudes of its terms.
 template <class N>
@@ -129,4 +129,4 @@ std::optional<Sign> filter_compare_hits_by_terms(const Ray& r, const Triangle& s
   return *sign * *first * *second;
 }
 
-}  // namespace tribunal
+}  // namespace tribunal::detail

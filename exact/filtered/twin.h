@@ -5,7 +5,7 @@
 
 #include "exact/filtered/filter_bounds.h"
 
-namespace tribunal {
+namespace tribunal::detail {
 
 /// Lane-wise +, −, ×. The results of a and b may be of another type (a product yet to be fused with a sum).
 template <class N>
@@ -142,4 +142,4 @@ Vec3<Twin<N>> swapped(const Vec3<Twin<N>>& a) {
   return {swapped(a.x), swapped(a.y), swapped(a.z)};
 }
 
-}  // namespace tribunal
+}  // namespace tribunal::detail

@@ -1,9 +1,9 @@
 // Segura–Feito on CGAL's Exact_predicates_exact_constructions_kernel: lazy exact numbers throughout.
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
-#include "exact/kernels/segura_feito_method.h"
 #include "exact/methods/cgal_kernels.h"
 #include "exact/methods/exact_methods.h"
+#include "exact/methods/segura_feito_method.h"
 
 namespace tribunal {
 namespace {

@@ -4,9 +4,9 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Filtered_predicate.h>
 
-#include "exact/kernels/segura_feito_method.h"
 #include "exact/methods/cgal_kernels.h"
 #include "exact/methods/exact_methods.h"
+#include "exact/methods/segura_feito_method.h"
 
 namespace tribunal {
 namespace {

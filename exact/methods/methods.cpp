@@ -8,8 +8,8 @@
 #include "core/polygon_rivals.h"
 #include "core/rivals.h"
 #include "exact/base/failure.h"
-#include "exact/filtered/filtered_method.h"
 #include "exact/methods/exact_methods.h"
+#include "exact/methods/filtered_method.h"
 #include "exact/methods/naive.h"
 
 namespace tribunal {

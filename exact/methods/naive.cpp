@@ -1,7 +1,7 @@
 #include "exact/methods/naive.h"
 
 #include "core/tolerance_kernel.h"
-#include "exact/kernels/segura_feito_method.h"
+#include "exact/methods/segura_feito_method.h"
 
 namespace tribunal {
 

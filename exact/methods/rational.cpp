@@ -1,8 +1,8 @@
 #include <cmath>
 
 #include "exact/kernels/rational_kernel.h"
-#include "exact/kernels/segura_feito_method.h"
 #include "exact/methods/exact_methods.h"
+#include "exact/methods/segura_feito_method.h"
 
 namespace tribunal {
 

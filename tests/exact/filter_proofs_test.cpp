@@ -12,6 +12,7 @@
 #include "tests/exact/proofs.h"
 
 namespace tribunal {
+
 namespace {
 
 /// Proved, and left room for: the bound itself is rounded up to seven times.

@@ -15,6 +15,7 @@
 #include "exact/methods/methods.h"
 
 namespace tribunal {
+
 namespace {
 
 /// Owns columns.

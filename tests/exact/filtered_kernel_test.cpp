@@ -16,6 +16,9 @@
 #include "exact/methods/methods.h"
 
 namespace tribunal {
+
+using namespace detail;
+
 namespace {
 
 const Method& filtered() { return *find_method("sf-filtered"); }

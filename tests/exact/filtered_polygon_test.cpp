@@ -14,6 +14,7 @@
 #include "exact/kernels/rational_kernel.h"
 
 namespace tribunal {
+
 namespace {
 
 template <class P>

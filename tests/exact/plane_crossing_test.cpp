@@ -10,6 +10,7 @@
 #include "tests/exact/proofs.h"
 
 namespace tribunal {
+
 namespace {
 
 /// What is left for underflow, which crossing_range.g shows to be far less.

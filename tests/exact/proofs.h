@@ -17,6 +17,8 @@
 
 namespace tribunal {
 
+using namespace detail;
+
 /// What Gappa proves: the upper end of each interval that a script asks for.
 inline std::map<std::string, double> proved_by(const std::string& script) {
   const std::string command = "gappa exact/filtered/proofs/" + script + " 2>&1";

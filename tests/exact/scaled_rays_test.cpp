@@ -11,6 +11,7 @@
 #include "exact/filtered/filtered_polygon.h"
 
 namespace tribunal {
+
 namespace {
 
 using testing::environments;

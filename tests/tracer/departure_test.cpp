@@ -10,6 +10,7 @@
 #include "tracer/shading/camera_rays.h"
 
 namespace tribunal {
+
 namespace {
 
 using testing::method;

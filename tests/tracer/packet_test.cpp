@@ -10,6 +10,7 @@
 #include "tracer/shading/visibility.h"
 
 namespace tribunal {
+
 namespace {
 
 using testing::aimed;

@@ -10,6 +10,7 @@
 #include "tests/tracer/tree_support.h"
 
 namespace tribunal {
+
 namespace {
 
 using testing::Random;

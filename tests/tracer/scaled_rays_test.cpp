@@ -7,6 +7,7 @@
 #include "tests/tracer/tree_support.h"
 
 namespace tribunal {
+
 namespace {
 
 using testing::environments;

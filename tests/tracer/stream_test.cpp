@@ -10,6 +10,7 @@
 #include "tracer/accel/wide/traversal.h"
 
 namespace tribunal {
+
 namespace {
 
 using testing::aimed;

@@ -7,6 +7,7 @@
 #include "tracer/shading/visibility.h"
 
 namespace tribunal {
+
 namespace {
 
 using testing::aimed;

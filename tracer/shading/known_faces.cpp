@@ -3,6 +3,7 @@
 #include "tracer/shading/camera_rays.h"
 
 namespace tribunal {
+
 namespace {
 
 /// The edges are normalised first where their product may leave the range of doubles.

@@ -9,6 +9,8 @@
 
 namespace tribunal {
 
+using namespace detail;
+
 /// Nobody's id.
 inline constexpr std::uint32_t no_face = ~std::uint32_t{0};
 

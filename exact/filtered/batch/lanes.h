@@ -13,6 +13,8 @@
 
 namespace tribunal::HWY_NAMESPACE {
 
+using namespace detail;
+
 namespace hn = hwy::HWY_NAMESPACE;
 
 using Tag = hn::ScalableTag<double>;

@@ -7,6 +7,8 @@
 
 namespace tribunal::HWY_NAMESPACE {
 
+using namespace detail;
+
 /// A probe by lanes: where it starts, and its target or, of a ray, its direction.
 struct LaneProbe {
   Vec3<Lanes> source, target;

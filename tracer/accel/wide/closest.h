@@ -9,6 +9,8 @@
 
 namespace tribunal {
 
+using namespace detail;
+
 /// Bounds of the exact parameter of a hit.
 struct HitBounds {
   double least = 0, greatest = std::numeric_limits<double>::infinity();

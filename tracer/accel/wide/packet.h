@@ -13,6 +13,8 @@
 
 namespace tribunal {
 
+using namespace detail;
+
 inline constexpr std::size_t packet_size = 8;
 
 /// Probes by columns: source, and target of a segment or direction of a ray.

@@ -1,4 +1,4 @@
-#include "exact/filtered/filtered_method.h"
+#include "exact/methods/filtered_method.h"
 
 #include <memory>
 
