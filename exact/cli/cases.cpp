@@ -55,18 +55,19 @@ int run(const Options& o) {
 
 }  // namespace
 
-Action declare_cases(CLI::App& app) {
+Action declare_cases(Arguments& arguments) {
   const auto o = std::make_shared<Options>();
-  app.add_option("--family", o->families, family_help());
-  app.add_option("--fmt", o->format, "only cases of this format (default both, in turn)")
-      ->check(CLI::IsMember({"binary32", "binary64"}));
-  app.add_option("--seed", o->seed, "seed of the cases")->check(whole_number())->capture_default_str();
-  app.add_option("--count", o->count, "cases in all")
-      ->check(whole_number())
-      ->check(CLI::Range(std::uint64_t{1}, most_cases))
-      ->capture_default_str();
-  app.add_flag("--with-answers", o->with_answers, "give the exact answer (and of triangles the class) with each case");
-  app.add_option("--out", o->out, "case file (JSON Lines); - is standard output")->capture_default_str();
+  arguments.option("--family", o->families, family_help());
+  arguments.option("--fmt", o->format, "only cases of this format (default both, in turn)")
+      .one_of({"binary32", "binary64"});
+  arguments.option("--seed", o->seed, "seed of the cases").whole_number().shows_default();
+  arguments.option("--count", o->count, "cases in all")
+      .whole_number()
+      .between(std::uint64_t{1}, most_cases)
+      .shows_default();
+  arguments.flag("--with-answers", o->with_answers,
+                 "give the exact answer (and of triangles the class) with each case");
+  arguments.option("--out", o->out, "case file (JSON Lines); - is standard output").shows_default();
   return [o] { return run(*o); };
 }
 

@@ -113,34 +113,36 @@ int run_verify(const VerifyOptions& o) {
 
 }  // namespace
 
-Action declare_certify(CLI::App& app) {
+Action declare_certify(Arguments& arguments) {
   const auto o = std::make_shared<Options>();
-  app.add_option("--method", o->method, "the method on trial")->required();
-  app.add_option("--budget", o->budget,
-                 "quick: {0,1,2}^3 whole and 1.2 million samples; standard: {0..3}^3 too, some minutes; "
-                 "soak: 2.1e9 samples, many hours. With --polygons: 1.9 million cases in whole sets and 144 thousand "
-                 "samples; 32 million and 865 thousand; 86 million samples")
-      ->check(CLI::IsMember(budget_names()))
-      ->capture_default_str();
-  app.add_flag("--polygons", o->polygons,
-               "certify its test of polygons instead of that of triangles (a method without the latter needs no word)");
-  app.add_option("--cases", o->cases,
-                 "case file of your own, judged and reported beside the rest; with --polygons of rings");
-  app.add_option("--mesh", o->mesh, "mesh of your own (OFF, OBJ, PLY, STL): segments are aimed at its triangles");
-  app.add_option("--seed", o->seed, "seed of the sample")->check(whole_number())->capture_default_str();
-  add_threads_option(app, o->threads);
-  app.add_option("--out", o->out, "directory for certificate.json, certificate.md, log.jsonl, counterexamples.jsonl")
-      ->required();
-  return with_plugins(app, [o] { return run(*o); });
+  arguments.option("--method", o->method, "the method on trial").required();
+  arguments
+      .option("--budget", o->budget,
+              "quick: {0,1,2}^3 whole and 1.2 million samples; standard: {0..3}^3 too, some minutes; "
+              "soak: 2.1e9 samples, many hours. With --polygons: 1.9 million cases in whole sets and 144 thousand "
+              "samples; 32 million and 865 thousand; 86 million samples")
+      .one_of(budget_names())
+      .shows_default();
+  arguments.flag(
+      "--polygons", o->polygons,
+      "certify its test of polygons instead of that of triangles (a method without the latter needs no word)");
+  arguments.option("--cases", o->cases,
+                   "case file of your own, judged and reported beside the rest; with --polygons of rings");
+  arguments.option("--mesh", o->mesh, "mesh of your own (OFF, OBJ, PLY, STL): segments are aimed at its triangles");
+  arguments.option("--seed", o->seed, "seed of the sample").whole_number().shows_default();
+  add_threads_option(arguments, o->threads);
+  arguments.option("--out", o->out, "directory for certificate.json, certificate.md, log.jsonl, counterexamples.jsonl")
+      .required();
+  return with_plugins(arguments, [o] { return run(*o); });
 }
 
-Action declare_verify(CLI::App& app) {
+Action declare_verify(Arguments& arguments) {
   const auto o = std::make_shared<VerifyOptions>();
-  app.add_option("DIR", o->directory, "what certify --out or judge --out wrote")->required();
-  app.add_flag("--rerun", o->rerun,
-               "run the whole trial again, which takes as long as it took, and compare all counts");
-  add_threads_option(app, o->threads);
-  return with_plugins(app, [o] { return run_verify(*o); });
+  arguments.option("DIR", o->directory, "what certify --out or judge --out wrote").required();
+  arguments.flag("--rerun", o->rerun,
+                 "run the whole trial again, which takes as long as it took, and compare all counts");
+  add_threads_option(arguments, o->threads);
+  return with_plugins(arguments, [o] { return run_verify(*o); });
 }
 
 }  // namespace tribunal

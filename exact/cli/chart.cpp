@@ -39,20 +39,20 @@ int run(const Options& o) {
 
 }  // namespace
 
-Action declare_chart(CLI::App& app) {
+Action declare_chart(Arguments& arguments) {
   const auto o = std::make_shared<Options>();
-  app.add_option("--method,--methods", o->methods, "methods, separated by commas (default all)");
-  app.add_option("--seed", o->plan.seed, "seed of the cases")->capture_default_str();
-  app.add_option("--count", o->plan.cases, "cases judged, of each population and format")
-      ->check(above_zero())
-      ->capture_default_str();
-  app.add_option("--repetitions", o->plan.repetitions, "times that every method is timed")
-      ->check(CLI::Range(9, 10'000))
-      ->capture_default_str();
-  add_threads_option(app, o->plan.threads);
-  app.add_option("--out", o->out, "directory for the figures and chart.json")->capture_default_str();
+  arguments.option("--method,--methods", o->methods, "methods, separated by commas (default all)");
+  arguments.option("--seed", o->plan.seed, "seed of the cases").shows_default();
+  arguments.option("--count", o->plan.cases, "cases judged, of each population and format")
+      .above_zero()
+      .shows_default();
+  arguments.option("--repetitions", o->plan.repetitions, "times that every method is timed")
+      .between(9, 10'000)
+      .shows_default();
+  add_threads_option(arguments, o->plan.threads);
+  arguments.option("--out", o->out, "directory for the figures and chart.json").shows_default();
   return with_plugins(
-      app, [o] { return run(*o); }, MayIsolate::no);
+      arguments, [o] { return run(*o); }, MayIsolate::no);
 }
 
 }  // namespace tribunal

@@ -44,12 +44,12 @@ int run(const Options& o) {
 
 }  // namespace
 
-Action declare_classify(CLI::App& app) {
+Action declare_classify(Arguments& arguments) {
   const auto o = std::make_shared<Options>();
-  app.add_option("--method", o->methods, "methods, separated by commas")->required();
-  app.add_option("--in", o->in, "case file (JSON Lines); - is standard input")->capture_default_str();
-  app.add_option("--out", o->out, "answer file (JSON Lines); - is standard output")->capture_default_str();
-  return with_plugins(app, [o] { return run(*o); });
+  arguments.option("--method", o->methods, "methods, separated by commas").required();
+  arguments.option("--in", o->in, "case file (JSON Lines); - is standard input").shows_default();
+  arguments.option("--out", o->out, "answer file (JSON Lines); - is standard output").shows_default();
+  return with_plugins(arguments, [o] { return run(*o); });
 }
 
 }  // namespace tribunal

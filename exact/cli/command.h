@@ -1,12 +1,12 @@
 // The shape of a command: main.cpp holds the table, each command its own file.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "core/method.h"
+#include "exact/cli/arguments.h"
 #include "exact/trial/fuzz.h"
 
 namespace tribunal {
@@ -18,7 +18,7 @@ struct Command {
   const char* name;
   const char* summary;  ///< one line
   const char* example;  ///< shown at the end of --help
-  Action (*declare)(CLI::App& app);
+  Action (*declare)(Arguments& arguments);
 };
 
 /// The named methods ("a,b,c"), in the order given. Fails with Exit::usage, naming the nearest known method.
@@ -40,14 +40,8 @@ void require_polygons(const Method& method);
 /// The default number of worker threads: one for each core.
 unsigned default_threads();
 
-/// A check of an option: a number above 0.
-CLI::Validator above_zero();
-
-/// A check of an option: a whole number from 0 to 2^64 − 1, in digits.
-CLI::Validator whole_number();
-
 /// --threads, defaulting to default_threads().
-void add_threads_option(CLI::App& app, unsigned& threads);
+void add_threads_option(Arguments& arguments, unsigned& threads);
 
 /// Whether a command offers --isolate: not if it measures time, or asks too often for questions to go to other
 /// processes.
@@ -55,20 +49,20 @@ enum class MayIsolate { no, yes };
 
 /// Declares --plugin, repeatable, with --isolate and --time-limit, and returns the action with loading the plugins
 /// before it.
-Action with_plugins(CLI::App& app, Action action, MayIsolate may_isolate = MayIsolate::yes);
+Action with_plugins(Arguments& arguments, Action action, MayIsolate may_isolate = MayIsolate::yes);
 
 /// 128 + signal if one asked for an end, as shells expect.
 int exit_code_after(int code_if_done, int signal);
 
-Action declare_methods(CLI::App& app);
-Action declare_classify(CLI::App& app);
-Action declare_fuzz(CLI::App& app);
-Action declare_shrink(CLI::App& app);
-Action declare_replay(CLI::App& app);
-Action declare_cases(CLI::App& app);
-Action declare_judge(CLI::App& app);
-Action declare_certify(CLI::App& app);
-Action declare_verify(CLI::App& app);
-Action declare_chart(CLI::App& app);
+Action declare_methods(Arguments& arguments);
+Action declare_classify(Arguments& arguments);
+Action declare_fuzz(Arguments& arguments);
+Action declare_shrink(Arguments& arguments);
+Action declare_replay(Arguments& arguments);
+Action declare_cases(Arguments& arguments);
+Action declare_judge(Arguments& arguments);
+Action declare_certify(Arguments& arguments);
+Action declare_verify(Arguments& arguments);
+Action declare_chart(Arguments& arguments);
 
 }  // namespace tribunal

@@ -235,26 +235,24 @@ int run(const Options& o) {
 
 }  // namespace
 
-Action declare_fuzz(CLI::App& app) {
+Action declare_fuzz(Arguments& arguments) {
   const auto o = std::make_shared<Options>();
-  auto* methods = app.add_option("--method", o->methods, "methods, separated by commas")->capture_default_str();
-  app.add_option("--family", o->families, family_help());
-  app.add_option("--seed", o->seed, "seed of the cases")->check(whole_number())->capture_default_str();
-  auto* count =
-      app.add_option("--count", o->count, "cases in all (default 500000)")->check(whole_number())->check(above_zero());
-  auto* seconds = app.add_option("--seconds", o->seconds, "run for a time instead");
-  seconds->check(above_zero())->excludes(count);
-  add_threads_option(app, o->threads);
-  auto* out = app.add_option("--out", o->out, "directory for summary.json and counterexamples.jsonl");
-  app.add_flag("--resume", o->resume, "go on with an interrupted run of the same plan in --out")->needs(out);
-  app.add_option("--keep", o->keep, "counterexamples to shrink and write, a method")
-      ->check(whole_number())
-      ->capture_default_str();
-  app.add_flag("--relations", o->relations, "check relations between answers instead: no oracle is asked")
-      ->excludes(seconds);
-  app.add_flag("--levels", o->levels, "show each level of the stress axes");
-  const Action action = with_plugins(app, [o] { return run(*o); });
-  app.get_option("--plugin")->needs(methods);  // else it would be loaded and not tried
+  arguments.option("--method", o->methods, "methods, separated by commas").shows_default();
+  arguments.option("--family", o->families, family_help());
+  arguments.option("--seed", o->seed, "seed of the cases").whole_number().shows_default();
+  arguments.option("--count", o->count, "cases in all (default 500000)").whole_number().above_zero();
+  arguments.option("--seconds", o->seconds, "run for a time instead").above_zero();
+  arguments.excludes("--seconds", "--count");
+  add_threads_option(arguments, o->threads);
+  arguments.option("--out", o->out, "directory for summary.json and counterexamples.jsonl");
+  arguments.flag("--resume", o->resume, "go on with an interrupted run of the same plan in --out");
+  arguments.needs("--resume", "--out");
+  arguments.option("--keep", o->keep, "counterexamples to shrink and write, a method").whole_number().shows_default();
+  arguments.flag("--relations", o->relations, "check relations between answers instead: no oracle is asked");
+  arguments.excludes("--relations", "--seconds");
+  arguments.flag("--levels", o->levels, "show each level of the stress axes");
+  const Action action = with_plugins(arguments, [o] { return run(*o); });
+  arguments.needs("--plugin", "--method");  // else it would be loaded and not tried
   return action;
 }
 

@@ -75,17 +75,17 @@ int run(const Options& o) {
 
 }  // namespace
 
-Action declare_judge(CLI::App& app) {
+Action declare_judge(Arguments& arguments) {
   const auto o = std::make_shared<Options>();
-  app.add_option("--cases", o->cases, "case file (JSON Lines); - is standard input")->required();
-  app.add_option("--answers", o->answers, "answer file (JSON Lines), one answer a case and method")->required();
-  app.add_option("--convention", o->convention, "what the answers promise of coplanar contacts")
-      ->check(CLI::IsMember({"closed", "transversal"}))
-      ->capture_default_str();
-  add_threads_option(app, o->threads);
-  app.add_option("--out", o->out,
-                 "directory for the report, as certify writes it: certificate.json and .md, log.jsonl, "
-                 "counterexamples.jsonl; a directory for each method if the answers name several");
+  arguments.option("--cases", o->cases, "case file (JSON Lines); - is standard input").required();
+  arguments.option("--answers", o->answers, "answer file (JSON Lines), one answer a case and method").required();
+  arguments.option("--convention", o->convention, "what the answers promise of coplanar contacts")
+      .one_of({"closed", "transversal"})
+      .shows_default();
+  add_threads_option(arguments, o->threads);
+  arguments.option("--out", o->out,
+                   "directory for the report, as certify writes it: certificate.json and .md, log.jsonl, "
+                   "counterexamples.jsonl; a directory for each method if the answers name several");
   return [o] { return run(*o); };
 }
 

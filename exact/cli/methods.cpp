@@ -63,10 +63,10 @@ std::string lines() {
 
 }  // namespace
 
-Action declare_methods(CLI::App& app) {
+Action declare_methods(Arguments& arguments) {
   const auto json = std::make_shared<bool>(false);
-  app.add_flag("--json", *json, "print JSON Lines instead of a table");
-  return with_plugins(app, [json] {
+  arguments.flag("--json", *json, "print JSON Lines instead of a table");
+  return with_plugins(arguments, [json] {
     print(*json ? lines() : table());
     return 0;
   });

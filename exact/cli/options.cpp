@@ -1,6 +1,5 @@
 // What several commands share.
 #include <algorithm>
-#include <charconv>
 #include <memory>
 #include <sstream>
 #include <thread>
@@ -90,30 +89,9 @@ void require_polygons(const Method& method) {
 
 unsigned default_threads() { return std::max(1U, std::thread::hardware_concurrency()); }
 
-CLI::Validator above_zero() {
-  return CLI::Validator(
-      [](std::string& text) {
-        double x = 0;
-        const bool good = CLI::detail::lexical_cast(text, x) && x > 0;
-        return good ? std::string() : "expected a number above 0, found " + text;
-      },
-      "");
-}
-
-CLI::Validator whole_number() {
-  return CLI::Validator(
-      [](std::string& text) {
-        std::uint64_t x = 0;
-        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
-        const bool good = error == std::errc{} && end == text.data() + text.size();
-        return good ? std::string() : "expected a whole number in digits, found " + text;
-      },
-      "");
-}
-
-void add_threads_option(CLI::App& app, unsigned& threads) {
+void add_threads_option(Arguments& arguments, unsigned& threads) {
   threads = default_threads();
-  app.add_option("--threads", threads, "worker threads")->check(CLI::Range(1U, 1024U))->capture_default_str();
+  arguments.option("--threads", threads, "worker threads").between(1U, 1024U).shows_default();
 }
 
 namespace {
@@ -124,25 +102,24 @@ struct PluginOptions {
   double time_limit = 5;
 };
 
-void add_isolation_options(CLI::App& app, PluginOptions& o, CLI::Option* plugin) {
-  auto* const isolate = app.add_flag("--isolate", o.isolate,
-                                     "run plugins in child processes: a crash, an exit, an exception or a call that "
-                                     "does not return is a finding, and the run goes on");
-  isolate->needs(plugin);
-  app.add_option("--time-limit", o.time_limit, "seconds within which an isolated plugin must answer")
-      ->check(above_zero())
-      ->capture_default_str()
-      ->needs(isolate);
+void add_isolation_options(Arguments& arguments, PluginOptions& o) {
+  arguments.flag("--isolate", o.isolate,
+                 "run plugins in child processes: a crash, an exit, an exception or a call that "
+                 "does not return is a finding, and the run goes on");
+  arguments.option("--time-limit", o.time_limit, "seconds within which an isolated plugin must answer")
+      .above_zero()
+      .shows_default();
+  arguments.needs("--isolate", "--plugin");
+  arguments.needs("--time-limit", "--isolate");
 }
 
 }  // namespace
 
-Action with_plugins(CLI::App& app, Action action, MayIsolate may_isolate) {
+Action with_plugins(Arguments& arguments, Action action, MayIsolate may_isolate) {
   const auto o = std::make_shared<PluginOptions>();
-  auto* const plugin = app.add_option("--plugin", o->files,
-                                      "shared library with a method of your own (docs/bring-your-own.md); repeatable");
-  plugin->allow_extra_args(false);
-  if (may_isolate == MayIsolate::yes) add_isolation_options(app, *o, plugin);
+  arguments.repeatable("--plugin", o->files,
+                       "shared library with a method of your own (docs/bring-your-own.md); repeatable");
+  if (may_isolate == MayIsolate::yes) add_isolation_options(arguments, *o);
   return [o, action = std::move(action)] {
     for (const std::string& file : o->files) load_plugin(file, o->isolate ? Isolation(o->time_limit) : Isolation());
     const ExitGuard guard(!o->files.empty() && !o->isolate);

@@ -2,13 +2,19 @@
 #pragma once
 
 #include <span>
+#include <string>
+#include <vector>
 
 #include "exact/cli/command.h"
 
 namespace tribunal {
 
-/// Parses the command line against the table, runs the command it names, and returns the exit code. Whatever goes
-/// wrong is one line on standard error: `file:line: …` for bad input, `tribunal: …` for the rest.
+/// Runs the command of the table that the words name, and returns its exit code. The words are those after the
+/// program's name. Whatever goes wrong is thrown.
+int run_command(std::span<const Command> commands, const std::vector<std::string>& words);
+
+/// The same for the command line of the program, but nothing is thrown: whatever goes wrong is one line on standard
+/// error, `file:line: …` for bad input, `tribunal: …` for the rest, and an exit code.
 int run_program(std::span<const Command> commands, int argc, char** argv);
 
 }  // namespace tribunal

@@ -43,21 +43,21 @@ int run_shrink(const std::string& file, const std::string& method, const std::st
 
 }  // namespace
 
-Action declare_replay(CLI::App& app) {
+Action declare_replay(Arguments& arguments) {
   const auto file = std::make_shared<std::string>();
-  app.add_option("FILE", *file, "case or counterexample file (JSON Lines); - is standard input")->required();
-  return with_plugins(app, [file] { return run_replay(*file); });
+  arguments.option("FILE", *file, "case or counterexample file (JSON Lines); - is standard input").required();
+  return with_plugins(arguments, [file] { return run_replay(*file); });
 }
 
-Action declare_shrink(CLI::App& app) {
+Action declare_shrink(Arguments& arguments) {
   struct Options {
     std::string file, method, out = "-";
   };
   const auto o = std::make_shared<Options>();
-  app.add_option("FILE", o->file, "counterexample file (JSON Lines)")->required();
-  app.add_option("--method", o->method, "the method that is wrong (default: the one that the file names)");
-  app.add_option("--out", o->out, "where the shrunk cases go; - is standard output")->capture_default_str();
-  return with_plugins(app, [o] { return run_shrink(o->file, o->method, o->out); });
+  arguments.option("FILE", o->file, "counterexample file (JSON Lines)").required();
+  arguments.option("--method", o->method, "the method that is wrong (default: the one that the file names)");
+  arguments.option("--out", o->out, "where the shrunk cases go; - is standard output").shows_default();
+  return with_plugins(arguments, [o] { return run_shrink(o->file, o->method, o->out); });
 }
 
 }  // namespace tribunal

@@ -55,6 +55,8 @@ breach 'includes are written from the root' < <(includes '"' main.cpp tests | ex
 breach 'GMP stays in exact/' < <(includes '<(gmp|mpfr|mpf)' core tracer main.cpp)
 breach 'CGAL stays in files named cgal_*.cpp, which are compiled as it needs' \
   < <(includes '<CGAL/' core exact tracer main.cpp tests | grep -vE '^([^:]*/)?cgal_[^/:]*\.cpp:' || true)
+breach 'CLI11 stays in exact/cli/arguments.cpp: it takes seconds to compile' \
+  < <(includes '["<]CLI/' core exact tracer main.cpp tests | grep -v '^exact/cli/arguments\.cpp:' || true)
 breach 'the AABB tree of CGAL is GPL: benchmarks only' \
   < <(includes '<CGAL/AABB' core exact tracer main.cpp tests | grep -v '^tests/bench/' || true)
 breach 'not part of the top level' < <(find . -mindepth 1 -maxdepth 1 -printf '%P\n' | grep -vxE \

@@ -7,15 +7,16 @@ trap 'rm -rf "$scratch"' EXIT
 
 sound_tree() {
   rm -rf "$scratch/tree"
-  mkdir -p "$scratch"/tree/{core,exact/base,exact,tracer/image,tracer,tests/bench,docs}
+  mkdir -p "$scratch"/tree/{core,exact/base,exact/cli,exact,tracer/image,tracer,tests/bench,docs}
   cd "$scratch/tree"
-  printf '| room | what |\n|---|---|\n| `core/` | |\n| `exact/base/` | |\n| `exact/` | |\n| `tracer/image/` | |\n| `tracer/` | |\n' \
-    >docs/architecture.md
+  printf '| room | what |\n|---|---|\n' >docs/architecture.md
+  printf '| `%s/` | |\n' core exact/base exact/cli exact tracer/image tracer >>docs/architecture.md
   printf '#include "core/a.h"\n' >exact/base/a.h
   printf '#include "exact/base/a.h"\n' >tracer/image/a.h
   printf '#include <cmath>\n#include <glm/vec3.hpp>\n#include "core/b.h"\n' >core/a.h
   printf '#include <gmpxx.h>\n#include "core/a.h"\n#include "exact/b.h"\n' >exact/a.h
   printf '#include <CGAL/Exact_predicates.h>\n' >exact/cgal_a.cpp
+  printf '#include <CLI/CLI.hpp>\n' >exact/cli/arguments.cpp
   printf '#include <CGAL/AABB_tree.h>\n' >tests/bench/cgal_tree.cpp
   printf '#include "core/a.h"\n#include "exact/a.h"\n#include "tracer/b.h"\n' >tracer/a.h
   printf '#include "exact/a.h"\n' >main.cpp
@@ -48,6 +49,8 @@ rejects tracer/a.h '#include "exact/elsewhere/a.h"'
 rejects exact/deep.h '#include <CGAL/Epick.h>'
 rejects exact/other.cpp '#include <CGAL/Epick.h>'
 rejects exact/cgal_b.cpp '#include <CGAL/AABB_tree.h>'
+rejects exact/a.cpp '#include <CLI/CLI.hpp>'
+rejects main.cpp '#include <CLI/App.hpp>'
 rejects tracer/a.cpp '#include <gmp.h>'
 rejects tracer/a.cpp '#include "tests/help.h"'
 rejects tests/a.cpp '#include "help.h"'

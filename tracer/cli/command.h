@@ -5,7 +5,7 @@
 
 namespace tribunal {
 
-Action declare_render(CLI::App& app);
-Action declare_demo(CLI::App& app);
+Action declare_render(Arguments& arguments);
+Action declare_demo(Arguments& arguments);
 
 }  // namespace tribunal

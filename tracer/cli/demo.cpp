@@ -6,6 +6,7 @@
 
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
+#include "exact/cli/program.h"
 #include "exact/record/counterexample.h"
 #include "exact/report/page.h"
 #include "tracer/cli/command.h"
@@ -28,7 +29,7 @@ constexpr const char* exact = "sf-rational";
 /// A command as one would type it, and the exit code that shows the expected result.
 struct Step {
   const char* command;
-  Action (*declare)(CLI::App&);
+  Action (*declare)(Arguments&);
   std::vector<std::string> arguments;
   Exit expected = Exit::ok;
 
@@ -40,11 +41,10 @@ struct Step {
 };
 
 int run_step(const Step& step) {
-  CLI::App parser;
-  const Action action = step.declare(parser);
-  std::vector<std::string> arguments(step.arguments.rbegin(), step.arguments.rend());  // CLI11 takes the last first
-  parser.parse(std::move(arguments));
-  return action();
+  const Command command{step.command, "", "", step.declare};
+  std::vector<std::string> words{step.command};
+  words.insert(words.end(), step.arguments.begin(), step.arguments.end());
+  return run_command({&command, 1}, words);
 }
 
 bool is_interruption(int exit) { return exit == code(Exit::interrupted) || exit == code(Exit::terminated); }
@@ -185,11 +185,11 @@ int run(const Options& o) {
 
 }  // namespace
 
-Action declare_demo(CLI::App& app) {
+Action declare_demo(Arguments& arguments) {
   const auto o = std::make_shared<Options>();
-  app.add_option("--out", o->out, "directory for the page and all that it shows")->capture_default_str();
-  app.add_option("--scene", o->scene, "the scene to render")->capture_default_str();
-  add_threads_option(app, o->threads);
+  arguments.option("--out", o->out, "directory for the page and all that it shows").shows_default();
+  arguments.option("--scene", o->scene, "the scene to render").shows_default();
+  add_threads_option(arguments, o->threads);
   return [o] { return run(*o); };
 }
 

@@ -338,27 +338,27 @@ int run(const Options& o) {
 
 }  // namespace
 
-Action declare_render(CLI::App& app) {
+Action declare_render(Arguments& arguments) {
   const auto o = std::make_shared<Options>();
-  app.add_option("scene", o->scene, "scene file (JSON)")->required();
-  app.add_option("--method", o->method, "the method that decides what rays hit")->required();
-  app.add_option("--against", o->against, "a second method: report, draw and export the pixels that differ");
-  app.add_option("-o,--out", o->out, "image file (PNG)")->required();
-  app.add_option("--stats", o->stats, "counts of rays, tests and hits (JSON)");
-  app.add_option("--depth", o->depth, "generations of rays, instead of the scene's")->check(CLI::Range(1, 16));
-  app.add_option("--accel", o->accel, "none, boxes (one a solid) or bvh")
-      ->check(CLI::IsMember({"none", "boxes", "bvh"}))
-      ->capture_default_str();
-  app.add_option("--threads", o->threads, "worker threads, of the tree's building too")
-      ->check(CLI::Range(1u, 1024u))
-      ->capture_default_str();
-  app.add_option("--export-pov", o->pov, "the scene for POV-Ray, and beside it the solid each pixel sees (.ids.png)");
-  app.add_flag("--heat", o->heat, "also what each pixel cost: NAME.tests.png and NAME.stages.png");
-  app.add_flag("--triangulate", o->triangulate,
-               "polygonal faces as triangles (as they always are for methods without a polygon test)");
-  app.add_option("--max-cases", o->max_cases, "at most so many cases with --against")->capture_default_str();
+  arguments.option("scene", o->scene, "scene file (JSON)").required();
+  arguments.option("--method", o->method, "the method that decides what rays hit").required();
+  arguments.option("--against", o->against, "a second method: report, draw and export the pixels that differ");
+  arguments.option("-o,--out", o->out, "image file (PNG)").required();
+  arguments.option("--stats", o->stats, "counts of rays, tests and hits (JSON)");
+  arguments.option("--depth", o->depth, "generations of rays, instead of the scene's").between(1, 16);
+  arguments.option("--accel", o->accel, "none, boxes (one a solid) or bvh")
+      .one_of({"none", "boxes", "bvh"})
+      .shows_default();
+  arguments.option("--threads", o->threads, "worker threads, of the tree's building too")
+      .between(1u, 1024u)
+      .shows_default();
+  arguments.option("--export-pov", o->pov, "the scene for POV-Ray, and beside it the solid each pixel sees (.ids.png)");
+  arguments.flag("--heat", o->heat, "also what each pixel cost: NAME.tests.png and NAME.stages.png");
+  arguments.flag("--triangulate", o->triangulate,
+                 "polygonal faces as triangles (as they always are for methods without a polygon test)");
+  arguments.option("--max-cases", o->max_cases, "at most so many cases with --against").shows_default();
   return with_plugins(
-      app, [o] { return run(*o); }, MayIsolate::no);
+      arguments, [o] { return run(*o); }, MayIsolate::no);
 }
 
 }  // namespace tribunal
