@@ -5,8 +5,8 @@
 #include <type_traits>
 #include <utility>
 
-#include "core/moeller_trumbore.h"
 #include "core/operands.h"
+#include "core/products.h"
 #include "exact/filtered/filter_bounds.h"
 #include "exact/filtered/twin.h"
 

@@ -8,7 +8,8 @@
 
 #include "core/capability.h"
 #include "core/due.h"
-#include "core/rivals.h"
+#include "core/rivals/adapter.h"
+#include "core/rivals/moeller_trumbore.h"
 
 namespace tribunal {
 namespace {
@@ -157,7 +158,7 @@ TEST(Due, FacingIsTheSideOfTheSource) {
 }
 
 TEST(Capabilities, AreWhatTheMethodHas) {
-  Method m = moeller_trumbore_double();
+  Method m = rival_method<MoellerTrumbore<double>>();
   EXPECT_TRUE(has(m, Capability::order) && has(m, Capability::parameter));
   for (const Capability c :
        {Capability::contact, Capability::class_id, Capability::batch, Capability::prepared_triangle,
@@ -175,8 +176,8 @@ TEST(Capabilities, AreWhatTheMethodHas) {
 
 TEST(Capabilities, MoellerTrumboreYieldsItsParameter) {
   const Triangle t{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
-  EXPECT_EQ(moeller_trumbore_double().parameter(Ray{{1, 1, 3}, {{0, 0, -2}}}, t), 1.5);
-  EXPECT_EQ(moeller_trumbore_float().parameter(Ray{{9, 9, 3}, {{0, 0, -2}}}, t), std::nullopt);
+  EXPECT_EQ(rival_method<MoellerTrumbore<double>>().parameter(Ray{{1, 1, 3}, {{0, 0, -2}}}, t), 1.5);
+  EXPECT_EQ(rival_method<MoellerTrumbore<float>>().parameter(Ray{{9, 9, 3}, {{0, 0, -2}}}, t), std::nullopt);
 }
 
 }  // namespace
