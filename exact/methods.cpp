@@ -8,6 +8,7 @@
 #include "core/polygon_rivals.h"
 #include "core/rivals/arenberg.h"
 #include "core/rivals/badouel.h"
+#include "core/rivals/baldwin_weber.h"
 #include "core/rivals/chirkov.h"
 #include "core/rivals/embree_pluecker.h"
 #include "core/rivals/fixed_edges.h"
@@ -67,6 +68,7 @@ const std::vector<Shelf>& shelf() {
       rivals<Jimenez>("jimenez"),
       rivals<Woop>("woop"),
       rivals<EmbreePluecker>("embree"),
+      rivals<BaldwinWeber>("baldwin-weber"),
       rivals<FixedEdges>("edges"),
       rivals<SimulationOfSimplicity>("sos"),
   };
