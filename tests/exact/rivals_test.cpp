@@ -12,6 +12,7 @@
 #include "exact/harness/fuzz.h"
 #include "exact/harness/judge.h"
 #include "exact/harness/truth.h"
+#include "exact/io/case_io.h"
 #include "exact/methods.h"
 
 namespace tribunal {
@@ -237,6 +238,27 @@ TEST(Rivals, HalfOpenFacesShareTheirEdgesAndVertices) {
     }
   }
   EXPECT_GT(on_boundary, 1000U);
+}
+
+/// One witness of rounding a method, and one of logic where the table names a fault: shrunk counterexamples.
+TEST(Rivals, AreWrongOnTheirWitnesses) {
+  std::set<std::string> rounding, logic;
+  for (const Case& c : read_cases("data/cases/rival-witnesses.jsonl")) {
+    const std::string name = c.id.substr(0, c.id.find(' '));
+    const Method* m = find_method(name);
+    ASSERT_NE(m, nullptr) << name;
+    const Truth truth = exact_truth(c.query);
+    EXPECT_EQ(truth.hit(), c.expect) << c.id;
+    EXPECT_TRUE(takes(*m, c.format)) << c.id;
+    EXPECT_EQ(judge(*m, truth, m->ask(c.query)), Judgement::wrong) << c.id;
+    const bool twin_is_wrong = judge(*m, truth, m->exact_twin(c.query)) == Judgement::wrong;
+    EXPECT_EQ(c.source.starts_with("logic"), twin_is_wrong) << c.id;
+    (twin_is_wrong ? logic : rounding).insert(name);
+  }
+  for (const Method& m : rivals()) {
+    EXPECT_TRUE(rounding.contains(m.name)) << m.name;
+    EXPECT_EQ(logic.contains(m.name), faults_of_logic.contains(shelf_name(m))) << m.name;
+  }
 }
 
 /// Each rounds somewhere: the first wrong answer of each is printed.
