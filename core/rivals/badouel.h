@@ -1,7 +1,7 @@
 // Badouel's test: intersect with the plane, project along the axis on which the normal is longest, and solve for the
 // point's two coordinates in the triangle.
-// Source: Badouel, "An Efficient Ray–Polygon Intersection", Graphics Gems, 1990, pp. 390–393: the plane and t by its
-// equations (1) and (2), the coordinates α, β by the pseudocode at its end, which asks u₁ = 0 first.
+// Source: Badouel, "An Efficient Ray–Polygon Intersection", Graphics Gems, 1990, pp. 390–393: t = −(d + N·O)/(N·D),
+// then α and β of the projected point from u₀ = α·u₁ + β·u₂ and v₀ = α·v₁ + β·v₂, by two cases: u₁ = 0 and u₁ ≠ 0.
 #pragma once
 
 #include "core/rivals/rival.h"

@@ -1,7 +1,7 @@
 // The test of Baldwin and Weber: a stored transformation to coordinates in which the triangle is the unit triangle,
-// with one column fixed, so that nine numbers are kept. Source: Baldwin & Weber, "Fast Ray-Triangle Intersections by
-// Coordinate Transformation", Journal of Computer Graphics Techniques 5(3), 2016, equations (6) to (8) and the listing
-// with nine coefficients.
+// with one column fixed, so that nine numbers are kept.
+// Source: Baldwin & Weber, "Fast Ray-Triangle Intersections by Coordinate Transformation", Journal of Computer
+// Graphics Techniques 5(3), 2016: its transformations with a fixed column and its test with nine coefficients.
 #pragma once
 
 #include "core/rivals/rival.h"

@@ -1,9 +1,8 @@
 // Chirkov's test of a segment: the sides of its ends to the plane, then two sign comparisons in a projection, all
 // without a division.
-// Source: Chirkov, "Fast 3D Line Segment–Triangle Intersection Test", Journal of Graphics Tools 10(3), 2005,
-// doi:10.1080/2151237X.2005.10129207, variants C2 (no stored data) and C3 (stored plane) of its code. The published C2
-// compares |n_x| and |n_y| with 0.57735·|n|², where 0.57735·|n| is meant (docs/findings.md); here the squares are
-// compared: 3·n_x² with |n|².
+// Source: Chirkov, "Fast 3D Line Segment–Triangle Intersection Test", Journal of Graphics Tools 10(3), 2005, variants
+// C2 (no stored data) and C3 (stored plane) of its code. The published C2 compares |n_x| and |n_y| with 0.57735·|n|²,
+// where 0.57735·|n| is meant (docs/findings.md); here the squares are compared: 3·n_x² with |n|².
 #pragma once
 
 #include "core/rivals/rival.h"

@@ -1,7 +1,7 @@
 // The test of Havel and Herout: three stored planes, the triangle's and two across it, and sign bits compared before
 // the one division.
 // Source: Havel & Herout, "Yet Faster Ray-Triangle Intersection (Using SSE4)", IEEE Transactions on Visualization and
-// Computer Graphics 16(3), 2010, doi:10.1109/TVCG.2009.73, section 3 (the planes) and its listing of the test.
+// Computer Graphics 16(3), 2010, doi:10.1109/TVCG.2009.73: its three planes and its test.
 #pragma once
 
 #include "core/rivals/rival.h"

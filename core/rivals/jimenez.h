@@ -1,7 +1,7 @@
 // The test of Jiménez, Segura and Feito: volumes of tetrahedra with the vertex c and the two ends of the segment.
-// Source: Jiménez, Segura & Feito, "A robust segment/triangle intersection algorithm for interference tests. Efficiency
-// study", Computational Geometry 43(5), 2010, doi:10.1016/j.comgeo.2009.10.001: theorem 1, whose condition that the
-// first end is not in the plane is met by swapping the ends, and the algorithm of its section 3, with 0 for its
+// Source: Jiménez, Segura & Feito, "A robust segment/triangle intersection algorithm for interference tests.
+// Efficiency study", Computational Geometry 43(5), 2010, doi:10.1016/j.comgeo.2009.10.001: its theorem, whose
+// condition that the first end is not in the plane is met by swapping the ends, and its algorithm, with 0 for the
 // tolerance.
 #pragma once
 

@@ -1,6 +1,6 @@
 // The test that a genetic search over equal formulas found to be the fastest.
-// Source: Kensler & Shirley, "Optimizing Ray-Triangle Intersection via Automated Search", IEEE Symposium on Interactive
-// Ray Tracing 2006, doi:10.1109/RT.2006.280212, the code of its section 4: one normal, one further cross product.
+// Source: Kensler & Shirley, "Optimizing Ray-Triangle Intersection via Automated Search", IEEE Symposium on
+// Interactive Ray Tracing 2006, the formula that it gives in code: one normal, one further cross product.
 #pragma once
 
 #include "core/rivals/rival.h"

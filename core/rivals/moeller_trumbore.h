@@ -1,6 +1,6 @@
 // The Möller–Trumbore test: solve o + t·d = (1−u−v)·a + u·b + v·c by Cramer's rule, divide, compare.
 // Source: Möller & Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", Journal of Graphics Tools 2(1), 1997,
-// doi:10.1080/10867651.1997.10487468, equation (6) and the two branches of the code in its section 4.
+// doi:10.1080/10867651.1997.10487468, equation (6) and the two branches of its code.
 #pragma once
 
 #include "core/rivals/rival.h"

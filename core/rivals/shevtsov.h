@@ -1,6 +1,6 @@
 // The test of Shevtsov, Soupikov and Kapustin: a stored projection, sign bits compared before the one division.
 // Source: Shevtsov, Soupikov & Kapustin, "Ray-Triangle Intersection Algorithm for Modern CPU Architectures", GraphiCon
-// 2007, section 3: det, dett, Du, Dv, detu, detv, and the test that det − detu − detv, detu and detv have one sign bit.
+// 2007: det, dett, Du, Dv, detu, detv, and the test that det − detu − detv, detu and detv have one sign bit.
 #pragma once
 
 #include "core/rivals/rival.h"

@@ -1,8 +1,8 @@
-// Five orientations, each of points that are moved by next to nothing, so that none of them is zero: a probe through an
-// edge or a vertex hits exactly one of the faces around it.
+// Five orientations, each of points that are moved by next to nothing, so that none of them is zero: a probe through
+// an edge or a vertex hits exactly one of the faces around it.
 // Source: Edelsbrunner & Mücke, "Simulation of Simplicity: A Technique to Cope with Degenerate Cases in Geometric
-// Algorithms", ACM Transactions on Graphics 9(1), 1990, doi:10.1145/77635.77639, section 4: coordinate j of point i is
-// moved by ε to the power 2^(3i − j), and the first coefficient of the determinant that is not zero has its sign.
+// Algorithms", ACM Transactions on Graphics 9(1), 1990, doi:10.1145/77635.77639: coordinate j of point i is moved by
+// ε to the power 2^(3i − j), and the first coefficient of the determinant that is not zero has its sign.
 #pragma once
 
 #include <algorithm>

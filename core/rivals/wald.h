@@ -1,7 +1,7 @@
 // Wald's test with a stored projection ("TriAccel"): t from the plane scaled to 1 on the dropped axis, then two
 // coordinates, each linear in the projected hit.
-// Source: Wald, "Realtime Ray Tracing and Interactive Global Illumination", PhD thesis, Saarland University, 2004,
-// section 7.1 and its listing of the structure TriAccel and of the traversal-time test.
+// Source: Wald, "Realtime Ray Tracing and Interactive Global Illumination", PhD thesis, Saarland University, 2004:
+// its structure TriAccel and its test.
 #pragma once
 
 #include "core/rivals/rival.h"
