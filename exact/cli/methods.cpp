@@ -51,7 +51,6 @@ std::string lines() {
                       {"contract", in_words(m.contract)},
                       {"convention", name_of(m.contract.convention)},
                       {"exact", m.contract.exact},
-                      {"exact_twin", m.exact_twin != nullptr},
                       {"summary", m.card.summary},
                       {"reference", m.card.reference},
                       {"terms", from_contract(m.contract)},

@@ -159,17 +159,18 @@ TEST(Due, FacingIsTheSideOfTheSource) {
 
 TEST(Capabilities, AreWhatTheMethodHas) {
   Method m = rival_method<MoellerTrumbore<double>>();
-  EXPECT_TRUE(has(m, Capability::order) && has(m, Capability::parameter));
+  EXPECT_TRUE(has(m, Capability::order) && has(m, Capability::parameter) && has(m, Capability::weights));
   for (const Capability c :
        {Capability::contact, Capability::class_id, Capability::batch, Capability::prepared_triangle,
-        Capability::prepared_polygon, Capability::prepared_ray, Capability::tree_lanes}) {
+        Capability::prepared_polygon, Capability::prepared_ray, Capability::tree_lanes, Capability::exact_twin}) {
     EXPECT_FALSE(has(m, c)) << name_of(c);
   }
   m.prepare_ray = [](const Ray&) -> PreparedRay { return {}; };
   m.prepare_triangle = [](const Triangle&) -> PreparedTriangle { return {}; };
+  m.exact_twin = [](const Query&) { return miss(); };
   m.on_tree_lanes = m.tells_contact = true;
-  for (const Capability c :
-       {Capability::contact, Capability::prepared_triangle, Capability::prepared_ray, Capability::tree_lanes}) {
+  for (const Capability c : {Capability::contact, Capability::prepared_triangle, Capability::prepared_ray,
+                             Capability::tree_lanes, Capability::exact_twin}) {
     EXPECT_TRUE(has(m, c)) << name_of(c);
   }
 }

@@ -2,6 +2,7 @@
 // each is wrong somewhere in floating point. docs/rivals.md has the table that this test holds them to.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
@@ -145,6 +146,52 @@ TEST(Rivals, AreRightOnPlainCasesInFloatAndInDouble) {
   }
 }
 
+/// Normals with zeros and with equal coordinates: walls, floors and slopes.
+std::vector<Point3> plain_normals() {
+  std::vector<Point3> normals;
+  for (int code = 0; code < 125; ++code) {
+    const Point3 n(code % 5 - 2, code / 5 % 5 - 2, code / 25 - 2);
+    if (n != Point3(0, 0, 0)) normals.push_back(n);
+  }
+  return normals;
+}
+
+/// Two edges at a right angle to n and to each other.
+std::pair<Point3, Point3> edges_across(const Point3& n) {
+  const Point3 u = n.x == 0 && n.y == 0 ? Point3(8, 0, 0) : Point3(-4 * n.y, 4 * n.x, 0);
+  return {u, {n.y * u.z - n.z * u.y, n.z * u.x - n.x * u.z, n.x * u.y - n.y * u.x}};
+}
+
+/// A segment and a ray along n, through the point that has this weight of the second vertex and 1/2 of the third.
+std::array<Query, 2> across_wall(const Point3& n, double weight) {
+  const auto [u, v] = edges_across(n);
+  const Point3 corner(3, -5, 7);
+  const Point3 x = corner + weight * u + 0.5 * v;
+  const Triangle t{corner, corner + u, corner + v};
+  return {Query{Segment{x - n, x + 3.0 * n}, t}, Query{Ray{x + n, {-2.0 * n}}, t}};
+}
+
+TEST(Rivals, AreRightOnWalls) {
+  std::map<std::string, int> hits, misses;
+  const auto ask_all = [&](const Query& query, Contact contact) {
+    const Truth truth = exact_truth(query);
+    ASSERT_EQ(truth.contact, contact);
+    for (const Method& m : rivals()) {
+      const Answer answer = m.ask(query);
+      if (answer.status == Status::unsupported) continue;
+      EXPECT_EQ(judge(m, truth, answer), Judgement::right) << m.name;
+      EXPECT_EQ(m.exact_twin(query).hit, answer.hit) << m.name;
+      ++(answer.hit ? hits : misses)[m.name];
+    }
+  };
+  for (const Point3& n : plain_normals()) {
+    for (const Query& query : across_wall(n, 0.25)) ask_all(query, Contact::interior);
+    for (const Query& query : across_wall(n, -0.25)) ask_all(query, Contact::none);
+    for (const Query& query : across_wall(n, 0.75)) ask_all(query, Contact::none);
+  }
+  for (const Method& m : rivals()) EXPECT_TRUE(hits[m.name] >= 100 && misses[m.name] >= 200) << m.name;
+}
+
 /// A set that is run whole: none wrong, unless the table says why. `shown`: how many of the set show a fault of logic.
 void expect_sound(const Method& twin, const ScopeResult& result, std::uint64_t shown = 0) {
   if (result.of_rays ? !twin.contract.probes.rays : !twin.contract.probes.segments) return;
@@ -174,19 +221,31 @@ Point3 of_cube(Draw& draw) {
   return {x, y, z};
 }
 
+/// A segment, a ray and a triangle of {−1, 0, 1}³; the ray has the segment's source.
+struct SmallCase {
+  Segment segment;
+  Ray ray;
+  Triangle triangle;
+};
+
+SmallCase small_case(std::uint32_t stream, std::uint64_t k) {
+  Draw draw(stream, 7, k);
+  const Point3 p = of_cube(draw);
+  const Point3 q = of_cube(draw);
+  const Point3 a = of_cube(draw);
+  const Point3 b = of_cube(draw);
+  const Point3 c = of_cube(draw);
+  return {{p, q}, {p, {q}}, {a, b, c}};
+}
+
 /// Cases of {−1, 0, 1}³, segments and rays in turn, as they are drawn.
 TEST(Rivals, ExactTwinsAreNeverWrongOnRandomCasesOfASmallCube) {
   const std::vector<Method> all = twins();
   std::map<std::string, std::uint64_t> wrong, judged;
   for (std::uint64_t k = 0; k < 200'000; ++k) {
-    Draw draw(9002, 7, k);
-    const Point3 p = of_cube(draw);
-    const Point3 q = of_cube(draw);
-    const Point3 a = of_cube(draw);
-    const Point3 b = of_cube(draw);
-    const Point3 c = of_cube(draw);
-    const Probe probe = k % 2 == 0 ? Probe(Segment{p, q}) : Probe(Ray{p, {q}});
-    const Query query{probe, Triangle{a, b, c}};
+    const SmallCase c = small_case(9002, k);
+    const Probe probe = k % 2 == 0 ? Probe(c.segment) : Probe(c.ray);
+    const Query query{probe, c.triangle};
     const Truth truth = truth_in_class(reference_method().classify(probe, query.triangle()).class_id, query);
     for (const Method& twin : all) {
       const Judgement judgement = judge(twin, truth, twin.ask(query));
@@ -197,6 +256,45 @@ TEST(Rivals, ExactTwinsAreNeverWrongOnRandomCasesOfASmallCube) {
   for (const Method& twin : all) {
     EXPECT_GT(judged[twin.name], twin.contract.probes.rays ? 60'000U : 30'000U) << twin.name;
     EXPECT_EQ(wrong[twin.name] > 0, twin.name == "havel-herout-double") << twin.name;
+  }
+}
+
+/// Every form of a method gives the same answer: plain, with the triangle prepared, with the ray prepared.
+TEST(Rivals, PreparedFormsAnswerAsThePlainOnes) {
+  std::map<std::string, int> hits;
+  std::set<std::string> of_triangles, of_rays;
+  for (std::uint64_t k = 0; k < 3'000; ++k) {
+    const auto [s, r, t] = small_case(9004, k);
+    for (const Method& m : rivals()) {
+      hits[m.name] += m.segment(s, t).hit;
+      if (m.prepare_triangle) {
+        of_triangles.insert(m.name);
+        const PreparedTriangle prepared = m.prepare_triangle(t);
+        EXPECT_EQ(prepared.segment(s), m.segment(s, t)) << m.name << " case " << k;
+        EXPECT_EQ(prepared.ray(r), m.ray(r, t)) << m.name << " case " << k;
+      }
+      if (m.prepare_ray) {
+        of_rays.insert(m.name);
+        EXPECT_EQ(m.prepare_ray(r)(t), m.ray(r, t)) << m.name << " case " << k;
+      }
+    }
+  }
+  for (const auto& [name, n] : hits) EXPECT_GT(n, name.starts_with("chirkov") ? 0 : 30) << name;
+  EXPECT_EQ(of_triangles.size(), 16U);
+  EXPECT_EQ(of_rays, (std::set<std::string>{"woop-double", "woop-float"}));
+}
+
+/// The nearer of two parallel triangles, by every method that orders hits.
+TEST(Rivals, OrderTwoHitsOnARay) {
+  const Triangle near{{-4, -4, 2}, {5, -3, 2}, {0, 6, 2}}, far{{-4, -4, 5}, {5, -3, 5}, {0, 6, 5}};
+  const Ray up{{0.25, 0.5, 0}, {{0, 0, 1}}}, down{{0.25, 0.5, 9}, {{0, 0, -1}}};
+  for (const Method& m : rivals()) {
+    EXPECT_EQ(m.compare_hits != nullptr, m.contract.probes.rays) << m.name;
+    if (!m.compare_hits) continue;
+    const bool sees_from_above = m.contract.culling == Culling::back_faces;
+    EXPECT_EQ(m.compare_hits(up, near, far), sees_from_above ? Sign::zero : Sign::negative) << m.name;
+    EXPECT_EQ(m.compare_hits(down, near, far), Sign::positive) << m.name;
+    EXPECT_EQ(m.compare_hits(down, far, far), Sign::zero) << m.name;
   }
 }
 
@@ -214,6 +312,12 @@ TEST(Rivals, FaultsOfLogicAreThoseOfTheTable) {
   }
 }
 
+/// One of the six orders of the vertices.
+Triangle in_order(const Triangle& t, std::uint64_t order) {
+  const Triangle turned = order % 3 == 0 ? t : order % 3 == 1 ? Triangle{t.b, t.c, t.a} : Triangle{t.c, t.a, t.b};
+  return order < 3 ? turned : Triangle{turned.a, turned.c, turned.b};
+}
+
 /// The faces around an edge, crossed on it: exactly one is hit. In exact arithmetic, whatever the cases.
 TEST(Rivals, HalfOpenFacesShareTheirEdgesAndVertices) {
   std::uint64_t on_boundary = 0;
@@ -223,12 +327,12 @@ TEST(Rivals, HalfOpenFacesShareTheirEdgesAndVertices) {
       Draw draw(9003, 7, k);
       const Point3 p = Point3(0, 0, 3) + of_cube(draw);
       const Point3 q = Point3(0, 0, -3) + of_cube(draw);
-      const auto turn = draw.below(6);
+      const std::uint64_t orders = draw.next();
       // A fan of six triangles around a point that is lifted off the plane of the others.
       const Point3 rim[6] = {{3, 0, 0}, {3, 3, 0}, {0, 3, 0}, {-3, 0, 0}, {-3, -3, 0}, {0, -3, 0}};
       int hits = 0;
       for (std::size_t i = 0; i < 6; ++i) {
-        const Triangle t{{0, 0, 1}, rim[(i + turn) % 6], rim[(i + turn + 1) % 6]};
+        const Triangle t = in_order({{0, 0, 1}, rim[i], rim[(i + 1) % 6]}, (orders >> 3 * i) % 6);
         const Segment s{p, q};
         hits += m.segment(s, t).hit;
         const Contact contact = reference_method().segment(s, t).contact;
