@@ -1,9 +1,9 @@
 #include "exact/certificate/budget.h"
 
+#include "exact/base/sha256.h"
+#include "exact/cases/case_io.h"
 #include "exact/classes/class_table.h"
-#include "exact/io/case_io.h"
-#include "exact/log/chain.h"
-#include "exact/log/sample_row.h"
+#include "exact/record/sample_row.h"
 
 namespace tribunal {
 namespace {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "exact/base/json.h"
 #include "exact/certificate/small_scope.h"
-#include "exact/harness/fuzz.h"
-#include "exact/io/json.h"
+#include "exact/trial/fuzz.h"
 
 namespace tribunal {
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <map>
 
+#include "exact/base/files.h"
 #include "exact/classes/class_table.h"
-#include "exact/io/contract_json.h"
-#include "exact/io/files.h"
+#include "exact/record/contract_json.h"
 
 namespace tribunal {
 namespace {

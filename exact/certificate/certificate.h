@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "core/contract.h"
-#include "exact/harness/coverage.h"
-#include "exact/io/json.h"
-#include "exact/log/chain.h"
-#include "exact/log/sample_row.h"
+#include "exact/base/json.h"
+#include "exact/record/chain.h"
+#include "exact/record/sample_row.h"
+#include "exact/trial/coverage.h"
 
 namespace tribunal {
 

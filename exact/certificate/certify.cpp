@@ -4,16 +4,16 @@
 #include <cstdio>
 #include <map>
 
+#include "exact/base/failure.h"
+#include "exact/base/interrupt.h"
+#include "exact/base/progress.h"
 #include "exact/certificate/certificate.h"
-#include "exact/harness/counterexample.h"
-#include "exact/harness/environment.h"
-#include "exact/harness/interrupt.h"
-#include "exact/harness/progress.h"
-#include "exact/harness/shrink.h"
-#include "exact/io/contract_json.h"
-#include "exact/io/failure.h"
-#include "exact/log/sample_row.h"
-#include "exact/methods.h"
+#include "exact/methods/methods.h"
+#include "exact/record/contract_json.h"
+#include "exact/record/counterexample.h"
+#include "exact/record/environment.h"
+#include "exact/record/sample_row.h"
+#include "exact/shrink/shrink.h"
 
 namespace tribunal {
 namespace {

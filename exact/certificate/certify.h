@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "exact/cases/case_io.h"
 #include "exact/certificate/budget.h"
-#include "exact/harness/fuzz.h"
-#include "exact/io/case_io.h"
-#include "exact/log/chain.h"
+#include "exact/record/chain.h"
+#include "exact/trial/fuzz.h"
 
 namespace tribunal {
 

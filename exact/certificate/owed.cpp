@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "exact/certificate/certify.h"
-#include "exact/methods.h"
+#include "exact/methods/methods.h"
 
 namespace tribunal {
 namespace {

@@ -1,9 +1,10 @@
-// The small scope of polygons (exact/polygon/small_scope.h), run whole with a method.
+// The small scope of polygons (exact/certificate/polygon_scope.h), run whole with a method.
+#include "exact/certificate/polygon_scope.h"
+
+#include "exact/base/failure.h"
+#include "exact/base/parallel.h"
+#include "exact/base/progress.h"
 #include "exact/certificate/scope_part.h"
-#include "exact/harness/parallel.h"
-#include "exact/harness/progress.h"
-#include "exact/io/failure.h"
-#include "exact/polygon/small_scope.h"
 
 namespace tribunal {
 namespace {

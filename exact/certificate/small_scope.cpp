@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 
+#include "exact/base/failure.h"
+#include "exact/base/parallel.h"
+#include "exact/base/progress.h"
+#include "exact/cases/families/axis_maps.h"
 #include "exact/certificate/scope_part.h"
 #include "exact/classes/class_table.h"
-#include "exact/families/axis_maps.h"
-#include "exact/harness/parallel.h"
-#include "exact/harness/progress.h"
-#include "exact/io/failure.h"
 #include "exact/oracles/caratheodory.h"
 
 namespace tribunal {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "exact/harness/fuzz.h"
+#include "exact/trial/fuzz.h"
 
 namespace tribunal {
 

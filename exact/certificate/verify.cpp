@@ -2,13 +2,13 @@
 
 #include <cstdio>
 
+#include "exact/base/files.h"
+#include "exact/cases/case_io.h"
 #include "exact/certificate/certify.h"
 #include "exact/certificate/owed.h"
-#include "exact/harness/counterexample.h"
-#include "exact/io/case_io.h"
-#include "exact/io/contract_json.h"
-#include "exact/io/files.h"
-#include "exact/methods.h"
+#include "exact/methods/methods.h"
+#include "exact/record/contract_json.h"
+#include "exact/record/counterexample.h"
 
 namespace tribunal {
 namespace {

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "exact/io/embedded.h"
+#include "exact/base/embedded.h"
 
 namespace tribunal {
 namespace {

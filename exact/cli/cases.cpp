@@ -1,10 +1,10 @@
 // tribunal cases: generated cases as a file, for tests that live elsewhere.
 #include <memory>
 
+#include "exact/base/failure.h"
+#include "exact/base/files.h"
+#include "exact/cases/case_io.h"
 #include "exact/cli/command.h"
-#include "exact/io/case_io.h"
-#include "exact/io/failure.h"
-#include "exact/io/files.h"
 
 namespace tribunal {
 namespace {

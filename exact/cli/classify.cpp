@@ -1,10 +1,10 @@
 #include <memory>
 
+#include "exact/base/failure.h"
+#include "exact/base/files.h"
+#include "exact/cases/case_io.h"
 #include "exact/cli/command.h"
-#include "exact/harness/judge.h"
-#include "exact/io/case_io.h"
-#include "exact/io/failure.h"
-#include "exact/io/files.h"
+#include "exact/trial/judge.h"
 
 namespace tribunal {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/method.h"
-#include "exact/harness/fuzz.h"
+#include "exact/trial/fuzz.h"
 
 namespace tribunal {
 
@@ -67,5 +67,8 @@ Action declare_shrink(CLI::App& app);
 Action declare_replay(CLI::App& app);
 Action declare_cases(CLI::App& app);
 Action declare_judge(CLI::App& app);
+Action declare_certify(CLI::App& app);
+Action declare_verify(CLI::App& app);
+Action declare_chart(CLI::App& app);
 
 }  // namespace tribunal

@@ -4,16 +4,16 @@
 #include <map>
 #include <memory>
 
+#include "exact/base/failure.h"
+#include "exact/base/files.h"
+#include "exact/base/interrupt.h"
+#include "exact/base/progress.h"
 #include "exact/cli/command.h"
 #include "exact/cli/fuzz_relations.h"
-#include "exact/harness/checkpoint.h"
-#include "exact/harness/counterexample.h"
-#include "exact/harness/coverage.h"
-#include "exact/harness/environment.h"
-#include "exact/harness/interrupt.h"
-#include "exact/harness/progress.h"
-#include "exact/io/failure.h"
-#include "exact/io/files.h"
+#include "exact/record/checkpoint.h"
+#include "exact/record/counterexample.h"
+#include "exact/record/environment.h"
+#include "exact/trial/coverage.h"
 
 namespace tribunal {
 namespace {

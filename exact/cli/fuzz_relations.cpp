@@ -2,11 +2,11 @@
 
 #include <cstdio>
 
+#include "exact/base/failure.h"
+#include "exact/base/files.h"
+#include "exact/base/interrupt.h"
+#include "exact/cases/case_io.h"
 #include "exact/cli/command.h"
-#include "exact/harness/interrupt.h"
-#include "exact/io/case_io.h"
-#include "exact/io/failure.h"
-#include "exact/io/files.h"
 #include "exact/relations/relation.h"
 
 namespace tribunal {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "exact/harness/fuzz.h"
+#include "exact/trial/fuzz.h"
 
 namespace tribunal {
 

@@ -3,12 +3,12 @@
 #include <cctype>
 #include <memory>
 
+#include "exact/base/failure.h"
+#include "exact/base/files.h"
 #include "exact/certificate/certificate.h"
 #include "exact/certificate/certify.h"
 #include "exact/cli/command.h"
-#include "exact/harness/judge_answers.h"
-#include "exact/io/failure.h"
-#include "exact/io/files.h"
+#include "exact/record/judge_answers.h"
 
 namespace tribunal {
 namespace {

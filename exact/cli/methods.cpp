@@ -1,14 +1,14 @@
-#include "exact/methods.h"
+#include "exact/methods/methods.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <iterator>
 #include <memory>
 
+#include "exact/base/files.h"
+#include "exact/base/json.h"
 #include "exact/cli/command.h"
-#include "exact/io/contract_json.h"
-#include "exact/io/files.h"
-#include "exact/io/json.h"
+#include "exact/record/contract_json.h"
 
 namespace tribunal {
 namespace {

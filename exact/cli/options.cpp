@@ -5,10 +5,11 @@
 #include <sstream>
 #include <thread>
 
+#include "exact/base/failure.h"
+#include "exact/base/suggestion.h"
+#include "exact/cases/family_table.h"
 #include "exact/cli/command.h"
-#include "exact/io/failure.h"
-#include "exact/io/suggestion.h"
-#include "exact/methods.h"
+#include "exact/methods/methods.h"
 #include "exact/plugin/exit_guard.h"
 #include "exact/plugin/load.h"
 

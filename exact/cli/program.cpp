@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "exact/harness/fp_environment.h"
-#include "exact/io/failure.h"
-#include "exact/io/files.h"
+#include "exact/base/failure.h"
+#include "exact/base/files.h"
+#include "exact/base/fp_environment.h"
 
 namespace tribunal {
 namespace {

@@ -1,10 +1,10 @@
 #include <memory>
 
+#include "exact/base/failure.h"
+#include "exact/base/files.h"
 #include "exact/cli/command.h"
-#include "exact/harness/counterexample.h"
-#include "exact/io/failure.h"
-#include "exact/io/files.h"
-#include "exact/methods.h"
+#include "exact/methods/methods.h"
+#include "exact/record/counterexample.h"
 
 namespace tribunal {
 namespace {

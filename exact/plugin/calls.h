@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "exact/harness/fault.h"
+#include "exact/base/fault.h"
 #include "exact/plugin/tribunal_plugin.h"
 
 namespace tribunal {

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <cstring>
 
-#include "exact/io/failure.h"
-#include "exact/io/json.h"
+#include "exact/base/failure.h"
+#include "exact/base/json.h"
 
 namespace tribunal {
 namespace {

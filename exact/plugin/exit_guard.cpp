@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "exact/io/failure.h"
+#include "exact/base/failure.h"
 
 namespace tribunal {
 namespace {

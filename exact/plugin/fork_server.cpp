@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-#include "exact/io/failure.h"
+#include "exact/base/failure.h"
 
 namespace tribunal {
 namespace {

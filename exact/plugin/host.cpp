@@ -3,7 +3,7 @@
 #include <cstring>
 #include <memory>
 
-#include "exact/harness/fp_environment.h"
+#include "exact/base/fp_environment.h"
 #include "exact/plugin/calls.h"
 #include "exact/plugin/description.h"
 #include "exact/plugin/library.h"

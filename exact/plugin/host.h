@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "exact/harness/fault.h"
+#include "exact/base/fault.h"
 #include "exact/plugin/tribunal_plugin.h"
 #include "exact/plugin/wire.h"
 

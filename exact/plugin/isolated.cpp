@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "exact/io/failure.h"
+#include "exact/base/failure.h"
 #include "exact/plugin/fork_server.h"
 #include "exact/plugin/host.h"
 #include "exact/plugin/load.h"

@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <optional>
 
-#include "exact/harness/fp_environment.h"
-#include "exact/io/failure.h"
+#include "exact/base/failure.h"
+#include "exact/base/fp_environment.h"
 
 namespace tribunal {
 namespace {

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "core/method.h"
-#include "exact/harness/fault.h"
-#include "exact/io/case_io.h"
+#include "exact/base/fault.h"
+#include "exact/cases/case_line.h"
 #include "exact/plugin/calls.h"
 
 namespace tribunal {
@@ -109,8 +109,8 @@ struct Line {
       faults->note(fault);
       return refusal(fault.kind);
     }
-    const Case c{.id = std::string(fault_name(fault.kind)), .query = make_query()};
-    throw MethodFault(fault, file + ": " + describe(fault) + ", on " + from_case(c).dump());
+    throw MethodFault(
+        fault, file + ": " + describe(fault) + ", on " + case_line(std::string(fault_name(fault.kind)), make_query()));
   }
 
   /// The answer that `ask` makes of a call, or the fault that the call fails with.

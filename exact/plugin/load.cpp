@@ -2,10 +2,10 @@
 
 #include <utility>
 
-#include "exact/io/failure.h"
-#include "exact/io/files.h"
-#include "exact/log/chain.h"
-#include "exact/methods.h"
+#include "exact/base/failure.h"
+#include "exact/base/files.h"
+#include "exact/base/sha256.h"
+#include "exact/methods/methods.h"
 #include "exact/plugin/isolated.h"
 #include "exact/plugin/library.h"
 

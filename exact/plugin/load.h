@@ -14,9 +14,9 @@ namespace tribunal {
 /// Seconds within which an isolated plugin must answer; nothing for a plugin in our own process.
 using Isolation = std::optional<double>;
 
-/// Loads the library, adds its method to the table (exact/methods.h) and returns the method's name. The library stays
-/// loaded until the program ends; with isolation it is loaded in child processes only (isolated.h). Before any thread
-/// starts. Fails with Exit::bad_input, naming the file, if it is missing, is no library, or describes no method
+/// Loads the library, adds its method to the table (exact/methods/methods.h) and returns the method's name. The library
+/// stays loaded until the program ends; with isolation it is loaded in child processes only (isolated.h). Before any
+/// thread starts. Fails with Exit::bad_input, naming the file, if it is missing, is no library, or describes no method
 /// (below); with Exit::usage if the method's name is taken.
 std::string load_plugin(const std::string& file, const Isolation& isolation = {});
 

@@ -1,8 +1,8 @@
 #include <optional>
 #include <utility>
 
-#include "exact/harness/fp_environment.h"
-#include "exact/io/failure.h"
+#include "exact/base/failure.h"
+#include "exact/base/fp_environment.h"
 #include "exact/kernels/dyadic.h"
 #include "exact/oracles/polygon_oracles.h"
 #include "exact/plugin/description.h"

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
-#include "exact/families/shapes.h"
-#include "exact/io/case_io.h"
+#include "exact/cases/case_io.h"
+#include "exact/cases/families/shapes.h"
 #include "exact/kernels/dyadic.h"
 #include "exact/relations/rows.h"
 

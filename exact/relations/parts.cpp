@@ -1,7 +1,7 @@
 // Relations among several queries: exact subdivision, degenerate operands, and answers held against evidence.
-#include "exact/harness/observe.h"
 #include "exact/relations/evidence.h"
 #include "exact/relations/rows.h"
+#include "exact/trial/observe.h"
 
 namespace tribunal {
 namespace {

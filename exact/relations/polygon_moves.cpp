@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exact/harness/observe.h"
 #include "exact/kernels/dyadic.h"
 #include "exact/oracles/polygon_oracles.h"
 #include "exact/relations/polygon_rows.h"
+#include "exact/trial/observe.h"
 
 namespace tribunal {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "exact/harness/parallel.h"
-#include "exact/harness/progress.h"
+#include "exact/base/parallel.h"
+#include "exact/base/progress.h"
 #include "exact/relations/polygon_rows.h"
 #include "exact/relations/rows.h"
 

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "exact/families/draw.h"
-#include "exact/harness/fuzz.h"
+#include "exact/cases/families/draw.h"
+#include "exact/trial/fuzz.h"
 
 namespace tribunal {
 

@@ -3,7 +3,7 @@
 
 #include "core/kernel.h"
 #include "core/segura_feito.h"
-#include "exact/methods.h"
+#include "exact/methods/methods.h"
 
 int main() {
   using namespace tribunal;

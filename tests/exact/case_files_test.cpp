@@ -1,9 +1,9 @@
 // The case files of data/cases that state their answer: every exact method must give it to each case that it takes.
 #include <gtest/gtest.h>
 
-#include "exact/io/case_io.h"
-#include "exact/io/files.h"
-#include "exact/methods.h"
+#include "exact/base/files.h"
+#include "exact/cases/case_io.h"
+#include "exact/methods/methods.h"
 
 namespace tribunal {
 namespace {

@@ -7,12 +7,13 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "exact/base/failure.h"
+#include "exact/base/files.h"
+#include "exact/cases/family_table.h"
 #include "exact/certificate/certify.h"
 #include "exact/certificate/small_scope.h"
 #include "exact/certificate/verify.h"
-#include "exact/io/failure.h"
-#include "exact/io/files.h"
-#include "exact/methods.h"
+#include "exact/methods/methods.h"
 
 namespace tribunal {
 namespace {

@@ -7,7 +7,7 @@
 #include <map>
 
 #include "exact/certificate/small_scope.h"
-#include "exact/methods.h"
+#include "exact/methods/methods.h"
 
 namespace tribunal {
 namespace {

@@ -6,19 +6,19 @@
 #include <filesystem>
 
 #include "core/segura_feito.h"
+#include "exact/base/failure.h"
+#include "exact/base/files.h"
 #include "exact/certificate/certificate.h"
 #include "exact/certificate/certify.h"
 #include "exact/certificate/small_scope.h"
 #include "exact/certificate/verify.h"
-#include "exact/harness/counterexample.h"
-#include "exact/harness/fuzz.h"
-#include "exact/io/contract_json.h"
-#include "exact/io/failure.h"
-#include "exact/io/files.h"
-#include "exact/kernels/cgal_kernels.h"
 #include "exact/kernels/rational_kernel.h"
-#include "exact/methods.h"
+#include "exact/methods/cgal_kernels.h"
+#include "exact/methods/methods.h"
+#include "exact/record/contract_json.h"
+#include "exact/record/counterexample.h"
 #include "exact/relations/relation.h"
+#include "exact/trial/fuzz.h"
 
 namespace tribunal {
 namespace {

@@ -6,10 +6,11 @@
 #include <set>
 #include <vector>
 
-#include "exact/families/pair_vectors.h"
-#include "exact/families/shapes.h"
-#include "exact/harness/fuzz.h"
-#include "exact/methods.h"
+#include "exact/cases/families/pair_vectors.h"
+#include "exact/cases/families/shapes.h"
+#include "exact/cases/family_table.h"
+#include "exact/methods/methods.h"
+#include "exact/trial/fuzz.h"
 
 namespace tribunal {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "exact/families/draw.h"
+#include "exact/cases/families/draw.h"
 #include "exact/filtered/filter.h"
 #include "exact/filtered/filtered.h"
 #include "exact/filtered/term_filter.h"

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "exact/families/draw.h"
-#include "exact/families/family.h"
+#include "exact/cases/families/draw.h"
+#include "exact/cases/family_table.h"
 #include "exact/filtered/batch.h"
 #include "exact/filtered/filtered.h"
-#include "exact/methods.h"
+#include "exact/methods/methods.h"
 
 namespace tribunal {
 namespace {

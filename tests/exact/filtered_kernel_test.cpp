@@ -7,13 +7,13 @@
 #include <cmath>
 #include <limits>
 
-#include "exact/families/draw.h"
-#include "exact/families/family.h"
+#include "exact/cases/families/draw.h"
+#include "exact/cases/family_table.h"
 #include "exact/filtered/filtered.h"
 #include "exact/filtered/stages/exact_stages.h"
 #include "exact/filtered/term_filter.h"
 #include "exact/kernels/rational_kernel.h"
-#include "exact/methods.h"
+#include "exact/methods/methods.h"
 
 namespace tribunal {
 namespace {

@@ -8,10 +8,10 @@
 #include <map>
 #include <memory>
 
-#include "exact/families/draw.h"
-#include "exact/families/family.h"
+#include "exact/cases/families/draw.h"
+#include "exact/cases/family_table.h"
+#include "exact/certificate/polygon_scope.h"
 #include "exact/kernels/rational_kernel.h"
-#include "exact/polygon/small_scope.h"
 
 namespace tribunal {
 namespace {

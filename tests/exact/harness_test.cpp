@@ -4,15 +4,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact/cases/families/pair_vectors.h"
+#include "exact/cases/families/table.h"
+#include "exact/cases/families/ulp.h"
+#include "exact/cases/family_table.h"
 #include "exact/certificate/bounds.h"
 #include "exact/classes/class_table.h"
-#include "exact/families/pair_vectors.h"
-#include "exact/families/table.h"
-#include "exact/families/ulp.h"
-#include "exact/harness/counterexample.h"
-#include "exact/harness/fuzz.h"
-#include "exact/harness/shrink.h"
-#include "exact/methods.h"
+#include "exact/methods/methods.h"
+#include "exact/record/counterexample.h"
+#include "exact/shrink/shrink.h"
+#include "exact/trial/fuzz.h"
 
 namespace tribunal {
 namespace {

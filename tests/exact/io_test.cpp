@@ -7,13 +7,13 @@
 #include <fstream>
 #include <limits>
 
+#include "exact/base/failure.h"
+#include "exact/base/files.h"
+#include "exact/base/fp_environment.h"
+#include "exact/cases/case_io.h"
+#include "exact/cases/families/draw.h"
 #include "exact/classes/class_table.h"
-#include "exact/families/draw.h"
-#include "exact/harness/fp_environment.h"
-#include "exact/io/case_io.h"
-#include "exact/io/failure.h"
-#include "exact/io/files.h"
-#include "exact/methods.h"
+#include "exact/methods/methods.h"
 
 namespace tribunal {
 namespace {

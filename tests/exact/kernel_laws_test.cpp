@@ -7,10 +7,10 @@
 
 #include "core/kernel.h"
 #include "core/tolerance_kernel.h"
-#include "exact/families/draw.h"
+#include "exact/cases/families/draw.h"
 #include "exact/filtered/filtered_kernel.h"
-#include "exact/kernels/cgal_kernels.h"
 #include "exact/kernels/rational_kernel.h"
+#include "exact/methods/cgal_kernels.h"
 
 namespace tribunal {
 namespace {

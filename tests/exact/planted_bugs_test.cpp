@@ -6,10 +6,10 @@
 #include <cstdlib>
 #include <set>
 
-#include "exact/harness/fp_environment.h"
-#include "exact/harness/fuzz.h"
-#include "exact/io/failure.h"
-#include "exact/methods.h"
+#include "exact/base/failure.h"
+#include "exact/base/fp_environment.h"
+#include "exact/methods/methods.h"
+#include "exact/trial/fuzz.h"
 #include "tests/planted/bugs.h"
 
 namespace tribunal {

@@ -8,10 +8,10 @@
 #include <cmath>
 #include <limits>
 
-#include "exact/families/family.h"
-#include "exact/harness/prepared.h"
-#include "exact/io/failure.h"
+#include "exact/base/failure.h"
+#include "exact/cases/family_table.h"
 #include "exact/plugin/load.h"
+#include "exact/trial/prepared.h"
 
 namespace tribunal {
 namespace {

@@ -4,10 +4,11 @@
 #include <map>
 #include <set>
 
-#include "exact/harness/judge.h"
-#include "exact/harness/slot.h"
-#include "exact/methods.h"
-#include "exact/polygon/construction.h"
+#include "exact/cases/family_table.h"
+#include "exact/cases/polygons/construction.h"
+#include "exact/methods/methods.h"
+#include "exact/trial/judge.h"
+#include "exact/trial/slot.h"
 
 namespace tribunal {
 namespace {

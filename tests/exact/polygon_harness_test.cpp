@@ -5,13 +5,14 @@
 #include <set>
 
 #include "core/segura_feito_polygon.h"
-#include "exact/harness/counterexample.h"
-#include "exact/harness/coverage.h"
-#include "exact/harness/shrink.h"
+#include "exact/cases/family_table.h"
+#include "exact/cases/polygons/construction.h"
 #include "exact/kernels/rational_kernel.h"
-#include "exact/methods.h"
-#include "exact/polygon/construction.h"
+#include "exact/methods/methods.h"
+#include "exact/record/counterexample.h"
 #include "exact/relations/relation.h"
+#include "exact/shrink/shrink.h"
+#include "exact/trial/coverage.h"
 
 namespace tribunal {
 namespace {

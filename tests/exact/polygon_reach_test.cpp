@@ -6,10 +6,11 @@
 #include <set>
 #include <vector>
 
-#include "exact/families/shapes.h"
-#include "exact/harness/fuzz.h"
-#include "exact/methods.h"
-#include "exact/polygon/families/vectors.h"
+#include "exact/cases/families/shapes.h"
+#include "exact/cases/family_table.h"
+#include "exact/cases/polygon_families/vectors.h"
+#include "exact/methods/methods.h"
+#include "exact/trial/fuzz.h"
 
 namespace tribunal {
 namespace {

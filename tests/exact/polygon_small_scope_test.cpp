@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "core/segura_feito_polygon.h"
-#include "exact/harness/judge.h"
-#include "exact/polygon/small_scope.h"
+#include "exact/certificate/polygon_scope.h"
+#include "exact/trial/judge.h"
 
 namespace tribunal {
 namespace {

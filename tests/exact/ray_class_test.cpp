@@ -10,7 +10,7 @@
 
 #include "exact/classes/class_table.h"
 #include "exact/kernels/integers.h"
-#include "exact/methods.h"
+#include "exact/methods/methods.h"
 #include "exact/oracles/caratheodory.h"
 
 namespace tribunal {

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "core/segura_feito.h"
-#include "exact/methods.h"
+#include "exact/methods/methods.h"
 #include "exact/oracles/caratheodory.h"
 #include "exact/relations/evidence.h"
 #include "exact/relations/relation.h"

@@ -7,14 +7,14 @@
 #include <map>
 #include <set>
 
+#include "exact/cases/case_io.h"
+#include "exact/cases/families/draw.h"
 #include "exact/certificate/small_scope.h"
 #include "exact/classes/class_table.h"
-#include "exact/families/draw.h"
-#include "exact/harness/fuzz.h"
-#include "exact/harness/judge.h"
-#include "exact/harness/truth.h"
-#include "exact/io/case_io.h"
-#include "exact/methods.h"
+#include "exact/methods/methods.h"
+#include "exact/trial/fuzz.h"
+#include "exact/trial/judge.h"
+#include "exact/trial/truth.h"
 
 namespace tribunal {
 namespace {

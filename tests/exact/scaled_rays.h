@@ -13,7 +13,7 @@
 
 #include "core/format.h"
 #include "core/signed_volume.h"
-#include "exact/families/draw.h"
+#include "exact/cases/families/draw.h"
 #include "exact/kernels/integers.h"
 #include "exact/oracles/caratheodory.h"
 

@@ -1,12 +1,12 @@
 // Shrinking: 2,100 counterexamples, each of which must be its own fixed point and the same counterexample.
-#include "exact/harness/shrink.h"
+#include "exact/shrink/shrink.h"
 
 #include <gtest/gtest.h>
 
-#include "exact/harness/coordinate_rules.h"
-#include "exact/harness/fuzz.h"
-#include "exact/io/case_io.h"
-#include "exact/methods.h"
+#include "exact/cases/case_io.h"
+#include "exact/methods/methods.h"
+#include "exact/shrink/coordinate_rules.h"
+#include "exact/trial/fuzz.h"
 
 namespace tribunal {
 namespace {

@@ -5,8 +5,8 @@
 #include <atomic>
 #include <memory>
 
-#include "exact/harness/counterexample.h"
-#include "exact/methods.h"
+#include "exact/methods/methods.h"
+#include "exact/record/counterexample.h"
 
 namespace tribunal {
 namespace {

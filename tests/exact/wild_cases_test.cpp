@@ -9,11 +9,11 @@
 #include <sstream>
 
 #include "core/segura_feito.h"
-#include "exact/io/files.h"
-#include "exact/io/json.h"
-#include "exact/kernels/cgal_kernels.h"
+#include "exact/base/files.h"
+#include "exact/base/json.h"
 #include "exact/kernels/rational_kernel.h"
-#include "exact/methods.h"
+#include "exact/methods/cgal_kernels.h"
+#include "exact/methods/methods.h"
 
 namespace tribunal {
 namespace {

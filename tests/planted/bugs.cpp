@@ -1,7 +1,7 @@
 #include "tests/planted/bugs.h"
 
 #include "core/segura_feito.h"
-#include "exact/kernels/cgal_kernels.h"
+#include "exact/methods/cgal_kernels.h"
 
 namespace tribunal::planted {
 

@@ -1,8 +1,8 @@
 // Bugs in the plane: operands in one plane, and the axis dropped to look at them.
 #include "core/segura_feito.h"
 #include "exact/classes/class_table.h"
-#include "exact/kernels/cgal_kernels.h"
 #include "exact/kernels/dyadic.h"
+#include "exact/methods/cgal_kernels.h"
 #include "tests/planted/bugs.h"
 
 namespace tribunal::planted {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/segura_feito.h"
-#include "exact/kernels/cgal_kernels.h"
+#include "exact/methods/cgal_kernels.h"
 #include "tests/planted/bugs.h"
 
 namespace tribunal::planted {

@@ -1,6 +1,6 @@
 // tribunal_planted: the commands that put methods on trial, with the planted bugs among the methods.
 #include "exact/cli/program.h"
-#include "exact/methods.h"
+#include "exact/methods/methods.h"
 #include "tests/planted/bugs.h"
 #include "tracer/cli/command.h"
 

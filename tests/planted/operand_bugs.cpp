@@ -8,7 +8,7 @@
 #endif
 
 #include "core/segura_feito.h"
-#include "exact/kernels/cgal_kernels.h"
+#include "exact/methods/cgal_kernels.h"
 #include "tests/planted/bugs.h"
 
 namespace tribunal::planted {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/segura_feito_polygon.h"
-#include "exact/kernels/cgal_kernels.h"
+#include "exact/methods/cgal_kernels.h"
 #include "tests/planted/bugs.h"
 
 namespace tribunal::planted {

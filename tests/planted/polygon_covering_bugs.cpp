@@ -2,8 +2,8 @@
 #include <cstdlib>
 
 #include "core/segura_feito_polygon.h"
-#include "exact/kernels/cgal_kernels.h"
-#include "exact/kernels/naive.h"
+#include "exact/methods/cgal_kernels.h"
+#include "exact/methods/naive.h"
 #include "tests/planted/polygon_bugs.h"
 
 namespace tribunal::planted {

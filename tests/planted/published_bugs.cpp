@@ -1,8 +1,8 @@
 // Faults of published tests, on exact numbers, so that nothing but the fault is wrong (docs/findings.md).
 #include "core/rivals/adapter.h"
 #include "core/rivals/chirkov.h"
-#include "exact/kernels/cgal_kernels.h"
 #include "exact/kernels/extended_rational.h"
+#include "exact/methods/cgal_kernels.h"
 #include "tests/planted/bugs.h"
 
 namespace tribunal::planted {

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "core/kernel.h"
-#include "exact/kernels/cgal_kernels.h"
 #include "exact/kernels/dyadic.h"
+#include "exact/methods/cgal_kernels.h"
 
 namespace tribunal::planted {
 

@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "core/segura_feito.h"
-#include "exact/kernels/cgal_kernels.h"
 #include "exact/kernels/dyadic.h"
+#include "exact/methods/cgal_kernels.h"
 #include "tests/planted/bugs.h"
 
 namespace tribunal::planted {

@@ -1,6 +1,6 @@
 // Bugs in the tests of the five signs.
 #include "core/segura_feito.h"
-#include "exact/kernels/cgal_kernels.h"
+#include "exact/methods/cgal_kernels.h"
 #include "tests/planted/bugs.h"
 
 namespace tribunal::planted {

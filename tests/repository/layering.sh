@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# layering.sh ROOT: dependencies flow core <- exact <- tracer, CGAL and GMP stay behind their doors, and the top level
-# holds what it should. Prints every breach as file:line:include.
+# layering.sh ROOT: includes run down the table of rooms in docs/architecture.md, CGAL and GMP stay behind their doors, and
+# the top level holds what it should. Prints every breach as file:line:include.
 set -euo pipefail
 cd "$1"
 breaches=0
@@ -24,14 +24,33 @@ includes() {
 # except PATTERN: drops the include lines that match.
 except() { grep -vE "#[[:space:]]*include[[:space:]]*$1" || true; }
 
-for room in core exact tracer; do
-  [ -n "$(find "$room" -name '*.[hc]*' -print -quit)" ] || { echo "no source files in $room" >&2; exit 1; }
-done
+# The rooms, one a line, as the table lists them.
+rooms() { sed -nE 's/^\| `([a-z_0-9/]+)\/` \|.*/\1/p' docs/architecture.md; }
 
+# The folders that hold sources.
+folders() { find core exact tracer '(' -name '*.h' -o -name '*.cpp' ')' -printf '%h\n' | sort -u; }
+
+[ -n "$(rooms)" ] || { echo "docs/architecture.md: no table of rooms" >&2; exit 1; }
+
+breach 'a folder of sources without a row in the table of rooms' < <(folders | grep -vxFf <(rooms) || true)
+breach 'a row in the table of rooms without sources' < <(rooms | grep -vxFf <(folders) || true)
+breach 'two rows of one room' < <(rooms | sort | uniq -d)
+
+# Reads the rooms, then include lines; prints those that name a file of a room further down, or of none.
+upward() {
+  awk 'function folder(path) { sub(/\/[^\/]*$/, "", path); return path }
+    NR == FNR { row[$0] = NR; next }
+    {
+      split($0, part, ":"); split($0, quoted, "\"")
+      from = folder(part[1]); to = folder(quoted[2])
+      if (!(to in row) || row[to] > row[from]) print
+    }' <(rooms) -
+}
+
+breach 'a file may include files of its own room and of rooms above it in the table' \
+  < <(includes '"' core exact tracer | upward)
 breach 'core may use core, the standard library and GLM' \
   < <(includes '' core | except '("core/|<[a-z0-9_]+>|<glm/)')
-breach 'exact may use core' < <(includes '"' exact | except '"(core|exact)/')
-breach 'tracer may use core and exact' < <(includes '"' tracer | except '"(core|exact|tracer)/')
 breach 'includes are written from the root' < <(includes '"' main.cpp tests | except '"(core|exact|tracer|tests)/')
 breach 'GMP stays in exact/' < <(includes '<(gmp|mpfr|mpf)' core tracer main.cpp)
 breach 'CGAL stays in files named cgal_*.cpp, which are compiled as it needs' \

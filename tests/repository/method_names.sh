@@ -3,7 +3,7 @@
 # asks for roles and capabilities. Prints every string with such a name, or the beginning of one, as file:line:text.
 set -euo pipefail
 cd "$1"
-table=exact/methods.cpp
+table=exact/methods/methods.cpp
 
 # A row {"name", make} is a method; one rivals<Test>("name") is two, name-float and name-double.
 names=$(sed -nE 's/^ *\{"([a-z0-9-]+)", .*/\1/p; s/^ *rivals<[A-Za-z]+>\("([a-z0-9-]+)"\),.*/\1-float\n\1-double/p' "$table")
@@ -18,6 +18,6 @@ by_name="\"([^\"]*[^a-z0-9\"-])?($whole)([^a-z0-9\"-][^\"]*)?\"|\"($first)-\"|fi
 breaches=$(grep -rnE --include='*.h' --include='*.cpp' "$by_name" core exact tracer |
   grep -vE "^($table|exact/cli/|tracer/cli/)" | sed 's://.*::' | grep -E "$by_name" || true)
 [ -z "$breaches" ] && exit 0
-printf 'a method by name, outside the table of methods and the command line (exact/methods.h has roles):\n%s\n' \
+printf 'a method by name, outside the table of methods and the command line (exact/methods/methods.h has roles):\n%s\n' \
   "$breaches" >&2
 exit 1

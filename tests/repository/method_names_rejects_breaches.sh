@@ -14,7 +14,7 @@ sound_tree() {
     for name in sf-float sf-double mt-float haines-double cgal-epick; do printf '    {"%s", make},\n' "$name"; done
     echo '      rivals<BaldwinWeber>("baldwin-weber"),'
     echo '};'
-  } >exact/methods.cpp
+  } >exact/methods/methods.cpp
   printf '// The test "sf-double" is naive.\nint x;  ///< e.g. "sf-double"\nauto s = "a half-open sf";\n' >core/a.h
   printf 'auto a = "sf-double";\n' >exact/cli/fuzz.cpp
   printf 'auto a = "--method mt-float";\n' >tracer/cli/demo.cpp
@@ -45,7 +45,7 @@ rejects tracer/a.cpp 'text = "see haines-double";'
 rejects exact/a.cpp 'if (method.name == "baldwin-weber-float") slow();'
 rejects exact/a.cpp 'if (m.name.starts_with("baldwin-weber-")) slow();'
 sound_tree
-: >exact/methods.cpp
+: >exact/methods/methods.cpp
 if bash "$names" . 2>/dev/null; then
   echo "a table without rows was accepted" >&2
   exit 1

@@ -1,5 +1,5 @@
 // The box test against exact arithmetic: it never loses a probe that meets the closed box.
-#include "tracer/accel/box.h"
+#include "tracer/accel/wide/box.h"
 
 #include <gmpxx.h>
 

@@ -1,8 +1,8 @@
-#include "exact/methods.h"
+#include "exact/methods/methods.h"
+#include "exact/report/html.h"
+#include "exact/report/page.h"
+#include "exact/report/page_parts.h"
 #include "tests/tracer/support.h"
-#include "tracer/demo/html.h"
-#include "tracer/demo/page.h"
-#include "tracer/demo/page_parts.h"
 
 namespace tribunal {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "tests/tracer/support.h"
-#include "tracer/world.h"
+#include "tracer/world/world.h"
 
 namespace tribunal::testing {
 

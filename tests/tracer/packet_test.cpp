@@ -1,7 +1,7 @@
 // Questions asked eight at a time against the same asked one by one of every face.
 #include <functional>
 
-#include "exact/families/family.h"
+#include "exact/cases/family_table.h"
 #include "exact/filtered/batch.h"
 #include "exact/filtered/filtered.h"
 #include "tests/tracer/nasty_scenes.h"

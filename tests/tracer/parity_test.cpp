@@ -3,11 +3,11 @@
 #include <cmath>
 #include <string>
 
+#include "exact/mesh/read_mesh.h"
+#include "exact/mesh/topology.h"
+#include "exact/mesh/triangulate.h"
 #include "tests/tracer/nasty_scenes.h"
 #include "tests/tracer/tree_support.h"
-#include "tracer/mesh/read_mesh.h"
-#include "tracer/mesh/topology.h"
-#include "tracer/mesh/triangulate.h"
 
 namespace tribunal {
 namespace {

@@ -1,9 +1,9 @@
 // Polygonal solids: read, hit as polygons, and the same picture when triangulated.
 #include <map>
 
+#include "exact/mesh/triangulate.h"
 #include "tests/tracer/support.h"
-#include "tracer/mesh/triangulate.h"
-#include "tracer/render.h"
+#include "tracer/render/render.h"
 #include "tracer/scene/read_scene.h"
 
 namespace tribunal {

@@ -1,5 +1,5 @@
 // Whitted's rays where the answer is known, and pictures that must not depend on how they were made.
-#include "tracer/render.h"
+#include "tracer/render/render.h"
 
 #include <sys/resource.h>
 
@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "tests/tracer/support.h"
-#include "tracer/compare.h"
+#include "tracer/render/compare.h"
 #include "tracer/scene/read_scene.h"
 #include "tracer/shading/camera_rays.h"
 

@@ -5,9 +5,9 @@
 #include <map>
 #include <sstream>
 
-#include "exact/log/chain.h"
+#include "exact/base/sha256.h"
 #include "tests/tracer/support.h"
-#include "tracer/render.h"
+#include "tracer/render/render.h"
 #include "tracer/scene/read_scene.h"
 #include "tracer/shading/camera_rays.h"
 

@@ -9,8 +9,8 @@
 #include <fstream>
 #include <string>
 
-#include "exact/io/failure.h"
-#include "exact/methods.h"
+#include "exact/base/failure.h"
+#include "exact/methods/methods.h"
 
 namespace tribunal::testing {
 

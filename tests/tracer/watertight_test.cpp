@@ -5,9 +5,9 @@
 #include <map>
 #include <set>
 
+#include "exact/mesh/read_mesh.h"
+#include "exact/mesh/triangulate.h"
 #include "tests/tracer/support.h"
-#include "tracer/mesh/read_mesh.h"
-#include "tracer/mesh/triangulate.h"
 #include "tracer/shading/visibility.h"
 
 namespace tribunal {

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "tracer/accel/box.h"
+#include "tracer/accel/statistics.h"
+#include "tracer/accel/wide/box.h"
 #include "tracer/accel/wide/tree.h"
-#include "tracer/statistics.h"
 
 namespace tribunal {
 

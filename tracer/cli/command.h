@@ -5,10 +5,7 @@
 
 namespace tribunal {
 
-Action declare_certify(CLI::App& app);
-Action declare_verify(CLI::App& app);
 Action declare_render(CLI::App& app);
-Action declare_chart(CLI::App& app);
 Action declare_demo(CLI::App& app);
 
 }  // namespace tribunal

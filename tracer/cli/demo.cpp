@@ -4,11 +4,11 @@
 #include <cstdio>
 #include <memory>
 
-#include "exact/harness/counterexample.h"
-#include "exact/io/failure.h"
-#include "exact/io/files.h"
+#include "exact/base/failure.h"
+#include "exact/base/files.h"
+#include "exact/record/counterexample.h"
+#include "exact/report/page.h"
 #include "tracer/cli/command.h"
-#include "tracer/demo/page.h"
 #include "tracer/scene/read_scene.h"
 
 namespace tribunal {

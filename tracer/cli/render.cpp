@@ -5,14 +5,14 @@
 #include <filesystem>
 #include <memory>
 
-#include "exact/harness/counterexample.h"
-#include "exact/io/failure.h"
-#include "exact/io/files.h"
+#include "exact/base/failure.h"
+#include "exact/base/files.h"
+#include "exact/mesh/topology.h"
+#include "exact/record/counterexample.h"
 #include "tracer/cli/command.h"
-#include "tracer/compare.h"
-#include "tracer/image/heat_map.h"
-#include "tracer/mesh/topology.h"
 #include "tracer/pov/export_pov.h"
+#include "tracer/render/compare.h"
+#include "tracer/render/heat_map.h"
 #include "tracer/scene/read_scene.h"
 
 namespace tribunal {

@@ -6,7 +6,7 @@
 #define STB_IMAGE_WRITE_STATIC
 #include <stb/stb_image_write.h>
 
-#include "exact/io/failure.h"
+#include "exact/base/failure.h"
 
 namespace tribunal {
 std::string to_png(const Image& image) {

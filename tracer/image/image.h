@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tracer/colour.h"
+#include "tracer/image/colour.h"
 
 namespace tribunal {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "tracer/render.h"
+#include "tracer/render/render.h"
 
 namespace tribunal {
 

@@ -6,10 +6,10 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "exact/io/failure.h"
-#include "exact/io/files.h"
-#include "exact/io/json.h"
-#include "tracer/mesh/read_mesh.h"
+#include "exact/base/failure.h"
+#include "exact/base/files.h"
+#include "exact/base/json.h"
+#include "exact/mesh/read_mesh.h"
 
 namespace tribunal {
 namespace {

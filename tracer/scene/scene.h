@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "tracer/colour.h"
-#include "tracer/mesh/mesh.h"
+#include "exact/mesh/mesh.h"
+#include "tracer/image/colour.h"
 
 namespace tribunal {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "exact/filtered/term_filter.h"
-#include "tracer/world.h"
+#include "tracer/world/world.h"
 
 namespace tribunal {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "exact/families/draw.h"
+#include "exact/cases/families/draw.h"
 
 namespace tribunal::bench {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "exact/cases/families/affine.h"
 #include "exact/classes/class_table.h"
-#include "exact/families/affine.h"
 #include "exact/filtered/filtered.h"
 
 namespace tribunal::bench {

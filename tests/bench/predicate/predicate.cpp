@@ -17,7 +17,7 @@
 #include "exact/filtered/batch.h"
 #include "exact/filtered/filtered.h"
 #include "exact/kernels/rational_kernel.h"
-#include "exact/methods.h"
+#include "exact/methods/methods.h"
 #include "tests/bench/medians.h"
 #include "tests/bench/predicate/pairs.h"
 #include "tests/bench/predicate/peers.h"

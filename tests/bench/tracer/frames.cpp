@@ -9,7 +9,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "exact/methods.h"
+#include "exact/methods/methods.h"
 #include "tracer/pov/export_pov.h"
 #include "tracer/scene/read_scene.h"
 

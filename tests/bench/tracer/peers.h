@@ -6,7 +6,7 @@
 #include <span>
 
 #include "core/operands.h"
-#include "tracer/mesh/mesh.h"
+#include "exact/mesh/mesh.h"
 
 namespace tribunal::bench {
 

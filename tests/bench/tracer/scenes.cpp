@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "core/format.h"
-#include "exact/families/draw.h"
+#include "exact/cases/families/draw.h"
 
 namespace tribunal::bench {
 namespace {

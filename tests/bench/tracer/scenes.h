@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "tracer/mesh/mesh.h"
+#include "exact/mesh/mesh.h"
 
 namespace tribunal::bench {
 

@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "tracer/accel/box.h"
+#include "tracer/accel/wide/box.h"
 #include "tracer/accel/wide/large_pages.h"
 
 namespace tribunal {

@@ -1,0 +1,13 @@
+// Text files that are compiled into the library, so that the program needs no data directory.
+#pragma once
+
+namespace tribunal {
+
+/// data/classes163.tsv: the 163 classes of a segment and a triangle.
+extern const char* const embedded_classes163;
+extern const char* const embedded_ray_classes;
+
+/// exact/chart/plot.py: draws the charts.
+extern const char* const embedded_plot_script;
+
+}  // namespace tribunal

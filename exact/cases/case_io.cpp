@@ -1,0 +1,219 @@
+#include "exact/cases/case_io.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "exact/base/failure.h"
+#include "exact/base/files.h"
+#include "exact/cases/case_line.h"
+#include "exact/classes/class_table.h"
+
+namespace tribunal {
+namespace {
+
+constexpr std::size_t max_line = std::size_t{1} << 20;
+
+std::string to_text(const Json& object, const char* key, const Where& where) {
+  const Json& value = require(object, key, where);
+  if (!value.is_string()) where.key(key).fail("expected a string");
+  return value.get<std::string>();
+}
+
+Format to_format(const Json& object, const Where& where) {
+  if (!object.contains("fmt")) return Format::binary64;
+  const std::string name = to_text(object, "fmt", where);
+  if (name == "binary64") return Format::binary64;
+  if (name == "binary32") return Format::binary32;
+  where.key("fmt").fail("expected \"binary64\" or \"binary32\", found \"" + name + "\"");
+}
+
+template <std::size_t N>
+std::array<Point3, N> to_points(const Json& value, Format format, const Where& where) {
+  if (!value.is_array() || value.size() != N) where.fail("expected " + std::to_string(N) + " points");
+  std::array<Point3, N> points;
+  for (std::size_t i = 0; i < N; ++i) points[i] = to_point(value[i], format, where.index(i));
+  return points;
+}
+
+Segment to_segment(const Json& value, Format format, const Where& where) {
+  const auto v = to_points<2>(value, format, where);
+  return {v[0], v[1]};
+}
+
+Triangle to_triangle(const Json& value, Format format, const Where& where) {
+  const auto v = to_points<3>(value, format, where);
+  return {v[0], v[1], v[2]};
+}
+
+PolygonData to_polygon(const Json& rings, Format format, const Where& where) {
+  if (!rings.is_array() || rings.empty()) where.fail("expected an array of at least one ring");
+  PolygonData polygon;
+  for (std::size_t r = 0; r < rings.size(); ++r) {
+    const Where at = where.index(r);
+    if (!rings[r].is_array() || rings[r].empty()) at.fail("expected an array of at least one point");
+    for (std::size_t i = 0; i < rings[r].size(); ++i) {
+      polygon.vertices.push_back(to_point(rings[r][i], format, at.index(i)));
+    }
+    polygon.ends.push_back(polygon.vertices.size());
+  }
+  return polygon;
+}
+
+Target to_target(const Json& object, Format format, const Where& where) {
+  const bool triangle = object.contains("tri"), rings = object.contains("rings");
+  if (triangle && rings) where.key("tri").fail("expected one of \"tri\" and \"rings\", found both");
+  if (triangle) return to_triangle(object["tri"], format, where.key("tri"));
+  if (rings) return to_polygon(object["rings"], format, where.key("rings"));
+  where.fail("missing \"tri\" or \"rings\"");
+}
+
+Ray to_ray(const Json& value, Format format, const Where& where) {
+  require_keys(value, {"o", "d"}, where);
+  return {to_point(require(value, "o", where), format, where.key("o")),
+          {to_point(require(value, "d", where), format, where.key("d"))}};
+}
+
+Probe to_probe(const Json& object, Format format, const Where& where) {
+  const bool segment = object.contains("seg"), ray = object.contains("ray");
+  if (segment == ray) where.fail("expected exactly one of \"seg\" and \"ray\"");
+  if (segment) return to_segment(object["seg"], format, where.key("seg"));
+  return to_ray(object["ray"], format, where.key("ray"));
+}
+
+std::optional<bool> to_expectation(const Json& object, const Where& where) {
+  if (!object.contains("expect")) return {};
+  const Json& value = object["expect"];
+  if (value != 0 && value != 1) where.key("expect").fail("expected 0 or 1");
+  return value == 1;
+}
+
+ClassId to_class(const Json& object, const Where& where) {
+  if (!object.contains("class")) return 0;
+  const std::string name = to_text(object, "class", where);
+  const ClassId id = class_named(name);
+  if (id == 0) {
+    where.key("class").fail("expected a class C001 to C163 or, of a ray, R001 to R165, found \"" + name + "\"");
+  }
+  return id;
+}
+
+void add_probe(Json& object, const Probe& probe) {
+  if (const auto* s = std::get_if<Segment>(&probe)) {
+    object["seg"] = {from_point(s->p), from_point(s->q)};
+  } else {
+    const Ray& r = std::get<Ray>(probe);
+    object["ray"] = {{"o", from_point(r.o)}, {"d", from_point(r.d.v)}};
+  }
+}
+
+void add_target(Json& object, const Triangle& t) {
+  object["tri"] = {from_point(t.a), from_point(t.b), from_point(t.c)};
+}
+
+void add_target(Json& object, const Polygon& polygon) {
+  Json rings = Json::array();
+  for (std::size_t r = 0; r < polygon.rings(); ++r) {
+    Json ring = Json::array();
+    for (const Point3& v : polygon.ring(r)) ring.push_back(from_point(v));
+    rings.push_back(std::move(ring));
+  }
+  object["rings"] = std::move(rings);
+}
+
+/// Triangles and polygons are certified apart.
+void require_operands(Operands operands, const Json& object, const Where& where) {
+  if (!object.is_object()) return;
+  if (operands == Operands::triangles && object.contains("rings")) {
+    where.key("rings").fail("triangles are certified apart from polygons, expected \"tri\", or --polygons");
+  }
+  if (operands == Operands::polygons && object.contains("tri") && !object.contains("rings")) {
+    where.key("tri").fail("polygons are certified apart from triangles, expected \"rings\"");
+  }
+}
+
+std::vector<Case> read_cases(const std::string& path, std::optional<Operands> operands) {
+  std::vector<Case> cases;
+  for_each_line(path, [&](const Json& object, const Where& where) {
+    if (operands) require_operands(*operands, object, where);
+    cases.push_back(to_case(object, where));
+  });
+  if (cases.empty()) throw bad_input(path, 0, "holds no cases, expected one JSON object a line");
+  return cases;
+}
+
+bool is_blank(std::string_view line) { return line.find_first_not_of(" \t\r") == std::string_view::npos; }
+
+}  // namespace
+
+Case to_case(const Json& object, const Where& where) {
+  require_keys(object, {"id", "fmt", "seg", "ray", "tri", "rings", "expect", "class", "source", "finding"}, where);
+  Case c;
+  c.id = to_text(object, "id", where);
+  c.format = to_format(object, where);
+  c.query = {to_probe(object, c.format, where), to_target(object, c.format, where)};
+  c.expect = to_expectation(object, where);
+  c.class_id = to_class(object, where);
+  if (object.contains("rings") && object.contains("class")) {
+    where.key("class").fail("a case with \"rings\" has no class, expected none");
+  }
+  if (object.contains("source")) c.source = to_text(object, "source", where);
+  if (object.contains("finding")) c.finding = object["finding"];
+  return c;
+}
+
+Json from_case(const Case& c) {
+  Json object;
+  object["id"] = c.id;
+  object["fmt"] = name_of(c.format);
+  add_probe(object, c.query.probe);
+  std::visit([&](const auto& target) { add_target(object, target); }, c.query.target);
+  if (c.expect) object["expect"] = *c.expect ? 1 : 0;
+  if (c.class_id != 0) object["class"] = class_name(c.class_id);
+  if (!c.source.empty()) object["source"] = c.source;
+  if (!c.finding.is_null()) object["finding"] = c.finding;
+  return object;
+}
+
+std::string case_line(const std::string& id, const Query& query) {
+  return from_case({.id = id, .query = query}).dump();
+}
+
+void for_each_line(const std::string& path, const std::function<void(const Json& object, const Where& where)>& visit) {
+  const std::string text = read_file(path);
+  std::size_t line_number = 0;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const std::string_view line(text.data() + begin, end - begin);
+    begin = end + 1;
+    const Where where{path, ++line_number};
+    if (is_blank(line)) continue;
+    if (line.size() > max_line) where.fail("line longer than 1 MiB, expected one JSON object");
+    visit(parse_json(line, where), where);
+  }
+}
+
+std::vector<Case> read_cases(const std::string& path) { return read_cases(path, std::optional<Operands>{}); }
+
+std::vector<Case> read_cases(const std::string& path, Operands operands) {
+  return read_cases(path, std::optional(operands));
+}
+
+Json from_answer(const Case& c, const Method& method, const Answer& answer) {
+  Json object;
+  object["id"] = c.id;
+  object["method"] = method.name;
+  const bool answered = answer.status == Status::ok;
+  if (answered) object["hit"] = answer.hit ? 1 : 0;
+  object["status"] = name_of(answer.status);
+  if (is_fault(answer.status)) object["fault"] = fault_name(answer.status);
+  if (is_fault(answer.status) && method.last_fault) object["detail"] = method.last_fault();
+  if (answer.class_id != 0) object["class"] = class_name(answer.class_id);
+  if (answered && answer.contact != Contact::unsaid) object["contact"] = name_of(answer.contact);
+  if (answer.at != At::unsaid) object["at"] = name_of(answer.at);
+  if (answer.stage != Stage::none) object["stage"] = name_of(answer.stage);
+  const bool tells_planar = c.query.operands() == Operands::polygons && method.contract.polygons == Polygons::any;
+  if (answered && tells_planar) object["planar"] = answer.planar;
+  return object;
+}
+
+}  // namespace tribunal

@@ -1,0 +1,42 @@
+// Case and answer files: JSON Lines, one object a line, as docs/formats.md describes them.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/method.h"
+#include "exact/base/json.h"
+
+namespace tribunal {
+
+/// A query with a name, as case files hold it.
+struct Case {
+  std::string id{};
+  Format format = Format::binary64;
+  Query query{};
+  std::optional<bool> expect{};  ///< closed-set reading
+  ClassId class_id = 0;          ///< of a triangle; 0: not said
+  std::string source{};
+  Json finding{};  ///< what a counterexample adds: carried along, not interpreted
+};
+
+/// One case, with "tri" or "rings". A key that the format does not have is an error.
+Case to_case(const Json& object, const Where& where);
+
+Json from_case(const Case& c);
+
+/// Calls `visit` with the object on every line that is not blank, in order. A line may have 1 MiB.
+void for_each_line(const std::string& path, const std::function<void(const Json& object, const Where& where)>& visit);
+
+/// Every line of a case file that is not blank, in order. An empty file is an error.
+std::vector<Case> read_cases(const std::string& path);
+
+/// The same, where every case must have these operands.
+std::vector<Case> read_cases(const std::string& path, Operands operands);
+
+/// The method's answer to the case; of polygons with "planar".
+Json from_answer(const Case& c, const Method& method, const Answer& answer);
+
+}  // namespace tribunal

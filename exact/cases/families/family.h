@@ -1,0 +1,40 @@
+// Families of generated cases. Case k of a family under a seed is a pure function of (family, seed, k).
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/answer.h"
+#include "core/format.h"
+#include "core/query.h"
+#include "exact/cases/polygons/construction.h"
+
+namespace tribunal {
+
+/// One generated case with what its construction knows of it.
+struct Trial {
+  Query query{};
+  Format format = Format::binary64;
+  ClassId class_id = 0;                        ///< of a triangle case, by construction; 0: not known, ask an oracle
+  std::uint16_t level = 0;                     ///< index into Family::levels: where on its stress axis the case lies
+  std::optional<Construction> construction{};  ///< of a polygon case, if it was made by one
+};
+
+/// A family: what it stresses and which population it draws from. Adding one is adding a file and a row.
+struct Family {
+  std::string_view name;
+  std::string_view stresses;    ///< one line for people
+  std::string_view population;  ///< what a sampled figure is about
+  std::string_view axis;        ///< name and unit of the stress axis
+  bool constructs;  ///< every case knows its class, or its construction, and all of them are drawn: of segments and of
+                    ///< rays
+  std::span<const int> (*levels)(Format);
+  std::function<Trial(Format format, std::uint64_t seed, std::uint64_t k)> make;
+  Operands operands = Operands::triangles;
+};
+
+}  // namespace tribunal

@@ -1,0 +1,82 @@
+// Degeneracies left by as little as one likes: a zero coordinate moved to a power of two.
+#include <algorithm>
+#include <cmath>
+
+#include "exact/cases/families/affine.h"
+#include "exact/cases/families/pair_vectors.h"
+#include "exact/cases/families/probe.h"
+#include "exact/cases/families/shapes.h"
+#include "exact/cases/families/table.h"
+
+namespace tribunal {
+namespace {
+
+constexpr int tilts_64[] = {8, 16, 24, 32, 40, 48, 56, 64, 80, 110, 200, 310, 600, 1000, 1500, 2040};
+constexpr int tilts_32[] = {8, 16, 24, 32, 40, 48, 56, 64, 80, 110, 180, 240};
+
+constexpr auto levels = by_format<tilts_64, tilts_32>;
+
+/// Entries of M leave room for the difference of two images in the format's integers.
+constexpr int bits_of(Format format) { return digits_of(format) - 6; }
+
+/// Of the axis that is tilted: half of the time none where the move of 2^(bits − tilt) needs none, else any for which
+/// both the move and the images exist.
+int draw_axis_scale(Draw& draw, Format format, int bits, int tilt) {
+  const int lo = least_exponent(format) + std::max(0, tilt - bits);
+  const int hi = largest_exponent(format) - bits - image_bits;
+  const bool none = draw.below(2) == 0;
+  const auto any = static_cast<int>(draw.between(lo, hi));
+  return none ? std::clamp(0, lo, hi) : any;
+}
+
+/// All points are moved along the axis until the vertex has the coordinate 0; then it alone gets another.
+void tilt_point(const PairVectors& vectors, std::size_t vertex, int axis, double move) {
+  const double origin = (*vectors.v[vertex])[axis];
+  for (std::size_t i = 0; i < static_cast<std::size_t>(vectors.points); ++i) (*vectors.v[i])[axis] -= origin;
+  (*vectors.v[vertex])[axis] = move;
+}
+
+/// A direction has no place: its own size is what the move is small beside.
+void tilt_direction(Point3& d, int axis, int tilt, Format format) {
+  const double size = std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
+  d[axis] = size == 0 ? 0 : in_format(std::ldexp(1.0, std::ilogb(size) - tilt), format);
+}
+
+Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
+  Draw draw(15, seed, k);
+  const ClassTurn turn = class_turn_of(k, levels(format).size());
+  const int tilt = levels(format)[turn.level];
+  const int bits = static_cast<int>(draw.between(1, bits_of(format)));
+  AffineMap map = draw_map(draw, bits);
+  const auto axis = static_cast<int>(draw.below(3));
+  const int scale = draw_axis_scale(draw, format, bits, tilt);
+  map.scale[static_cast<std::size_t>(axis)] = scale;
+  Trial trial = image_of(turn, map, format, draw);
+  trial.class_id = 0;
+  const PairVectors vectors = vectors_of(trial.query);
+  const std::uint64_t vertex = draw.below(5);
+  const double sign = draw.below(2) == 0 ? 1 : -1;
+  if (vertex < static_cast<std::uint64_t>(vectors.points)) {
+    tilt_point(vectors, vertex, axis, std::ldexp(sign, bits - tilt + scale));
+  } else {
+    tilt_direction(*vectors.v[vertex], axis, tilt, format);
+  }
+  return trial;
+}
+
+}  // namespace
+
+/// An exact degeneracy with one vertex moved off it by 2^-level of the size: as near as the exponent range allows, in
+/// binary32 too, where a unit in the last place is far.
+Family tilt_family() {
+  return {
+      .name = "tilt",
+      .stresses = "degeneracies left by 2^-level of the size, far below a unit in the last place",
+      .population = "affine images of the class representatives, one coordinate moved to zero, then to a power of two",
+      .axis = "-log2 of the move over the size",
+      .constructs = false,
+      .levels = levels,
+      .make = make};
+}
+
+}  // namespace tribunal

@@ -1,0 +1,18 @@
+// Star-shaped rings as they round, and probes near them.
+#pragma once
+
+#include "exact/cases/families/draw.h"
+#include "exact/cases/families/family.h"
+
+namespace tribunal {
+
+/// A star-shaped ring of n vertices in a random plane of [−1, 1]³, each vertex rounded: planar as it comes from a
+/// modelling program; and a segment that aims at a vertex, a point of an edge or spoke, or anywhere near, as it rounds.
+struct Star {
+  PolygonData polygon;
+  Segment through;
+};
+
+Star draw_star(Draw& draw, Format format, int n);
+
+}  // namespace tribunal

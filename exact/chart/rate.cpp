@@ -1,0 +1,39 @@
+#include "exact/chart/rate.h"
+
+#include <cstdio>
+
+#include "exact/base/json.h"
+#include "exact/certificate/bounds.h"
+
+namespace tribunal {
+namespace {
+
+std::string percent(double share) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g %%", 100 * share);
+  return text;
+}
+
+}  // namespace
+
+Rate rate_of(const Count& count) {
+  const std::uint64_t n = count.judged(), k = count.wrong;
+  if (k == 0) return {0, n, 0, 0, upper_bound(0, n, confidence_alpha)};
+  const double tail = confidence_alpha / 2;
+  return {k, n, static_cast<double>(k) / static_cast<double>(n), lower_bound(k, n, tail), upper_bound(k, n, tail)};
+}
+
+Json to_json(const Count& count) {
+  const Rate rate = rate_of(count);
+  return {{"asked", count.asked}, {"refused", count.unsupported}, {"judged", rate.judged},
+          {"wrong", rate.wrong},  {"share", rate.share},          {"lower", rate.lower},
+          {"upper", rate.upper},  {"bound", rate.is_bound()},     {"drawn", rate.drawn()}};
+}
+
+std::string to_text(const Count& count) {
+  const Rate rate = rate_of(count);
+  if (rate.judged == 0) return "nothing judged";
+  return rate.is_bound() ? "0 (<= " + percent(rate.upper) + ")" : percent(rate.share);
+}
+
+}  // namespace tribunal

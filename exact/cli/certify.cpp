@@ -1,0 +1,146 @@
+#include "exact/certificate/certify.h"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+
+#include "exact/base/failure.h"
+#include "exact/base/files.h"
+#include "exact/cases/families/aimed.h"
+#include "exact/certificate/certificate.h"
+#include "exact/certificate/verify.h"
+#include "exact/cli/command.h"
+#include "exact/mesh/read_mesh.h"
+#include "exact/mesh/triangulate.h"
+
+namespace tribunal {
+namespace {
+
+struct Options {
+  std::string method, budget = "quick", cases, mesh, out;
+  bool polygons = false;
+  std::uint64_t seed = 1;
+  unsigned threads = 1;
+};
+
+int exit_of(Verdict v) {
+  constexpr Exit exits[] = {Exit::ok, Exit::disagreement, Exit::incomplete};
+  return code(exits[static_cast<int>(v)]);
+}
+
+std::vector<std::string> budget_names() {
+  std::vector<std::string> names;
+  for (const Budget& b : budgets) names.push_back(b.name);
+  return names;
+}
+
+const Budget& budget_named(const std::string& name) { return *std::ranges::find(budgets, name, &Budget::name); }
+
+Family family_of_mesh(const std::string& path) {
+  const Mesh mesh = triangulated(read_mesh(path), path);
+  std::vector<Triangle> triangles;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) triangles.push_back(mesh.triangle(i));
+  if (triangles.empty()) throw bad_input(path, 0, "holds no faces");
+  return aimed_at(std::move(triangles));
+}
+
+CertifyPlan plan_of(const Options& o, const Method& method, Operands operands) {
+  CertifyPlan plan{
+      .method = method, .operands = operands, .budget = budget_named(o.budget), .seed = o.seed, .threads = o.threads};
+  if (o.cases.empty()) return plan;
+  plan.cases = read_cases(o.cases, operands);
+  plan.truths = truths_of(plan.cases, o.cases);
+  return plan;
+}
+
+int run(const Options& o, const CertifyPlan& plan) {
+  make_directory(o.out);
+  ChainedLog log = certify(plan);
+  const Certificate c = write_certificate(o.out, log);
+  const char* each = plan.operands == Operands::triangles ? "class" : "outcome";
+  print(to_summary(c) + "  " + std::to_string(c.counterexamples.size()) + " counterexamples, the simplest of each " +
+        each + "; see " + o.out + "/certificate.md\n");
+  return exit_of(c.verdict);
+}
+
+/// Whether it answers, or fails, where any triangle test answers: on a plain hit, by segment and by ray.
+bool takes_triangles(const Method& method) {
+  const Triangle t{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
+  const Answer to_segment = method.ask(Query{Segment{{1, 1, 1}, {1, 1, -1}}, t});
+  const Answer to_ray = method.ask(Query{Ray{{1, 1, 1}, {{0, 0, -1}}}, t});
+  return std::ranges::any_of(std::array{to_segment, to_ray},
+                             [](const Answer& a) { return a.status == Status::ok || is_fault(a.status); });
+}
+
+int run_polygons(const Options& o, const Method& method) {
+  require_polygons(method);
+  if (!o.mesh.empty()) throw Failure(Exit::usage, "--mesh aims at triangles, expected none with polygons");
+  return run(o, plan_of(o, method, Operands::polygons));
+}
+
+int run(const Options& o) {
+  const std::vector<Method> methods = methods_named(o.method);
+  if (methods.size() != 1) throw Failure(Exit::usage, "certify takes one method, found " + o.method);
+  if (o.polygons || !takes_triangles(methods[0])) return run_polygons(o, methods[0]);
+  CertifyPlan plan = plan_of(o, methods[0], Operands::triangles);
+  Family of_mesh;
+  if (!o.mesh.empty()) {
+    of_mesh = family_of_mesh(o.mesh);
+    plan.streams = streams_of(Operands::triangles);
+    for (const Format format : {Format::binary64, Format::binary32}) plan.streams.push_back({&of_mesh, format});
+  }
+  return run(o, plan);
+}
+
+struct VerifyOptions {
+  std::string directory;
+  bool rerun = false;
+  unsigned threads = 1;
+};
+
+int run_verify(const VerifyOptions& o) {
+  const Verification v = verify(o.directory, o.rerun ? o.threads : 0);
+  for (const std::string& fault : v.faults) print(fault + "\n");
+  const Certificate& c = v.certificate;
+  print(std::string(v.faults.empty() ? "verified" : "NOT VERIFIED") + ": " + c.method() + " " + name_of(c.verdict) +
+        "; " + std::to_string(v.confirmed) + " of " + std::to_string(c.counterexamples.size()) +
+        " counterexamples confirmed by exact arithmetic; " +
+        (v.not_asked.empty() ? "asked again on " + std::to_string(v.asked_again) + " cases"
+                             : "not asked again: " + v.not_asked) +
+        (v.rerun > 0 ? "; " + std::to_string(v.rerun) + " cases run again" : "") + "\nlog sha256 " + c.log_head + "\n");
+  return code(v.faults.empty() ? Exit::ok : Exit::disagreement);
+}
+
+}  // namespace
+
+Action declare_certify(CLI::App& app) {
+  const auto o = std::make_shared<Options>();
+  app.add_option("--method", o->method, "the method on trial")->required();
+  app.add_option("--budget", o->budget,
+                 "quick: {0,1,2}^3 whole and 1.2 million samples; standard: {0..3}^3 too, some minutes; "
+                 "soak: 2.1e9 samples, many hours. With --polygons: 1.9 million cases in whole sets and 144 thousand "
+                 "samples; 32 million and 865 thousand; 86 million samples")
+      ->check(CLI::IsMember(budget_names()))
+      ->capture_default_str();
+  app.add_flag("--polygons", o->polygons,
+               "certify its test of polygons instead of that of triangles (a method without the latter needs no word)");
+  app.add_option("--cases", o->cases,
+                 "case file of your own, judged and reported beside the rest; with --polygons of rings");
+  app.add_option("--mesh", o->mesh, "mesh of your own (OFF, OBJ, PLY, STL): segments are aimed at its triangles");
+  app.add_option("--seed", o->seed, "seed of the sample")->check(whole_number())->capture_default_str();
+  add_threads_option(app, o->threads);
+  app.add_option("--out", o->out, "directory for certificate.json, certificate.md, log.jsonl, counterexamples.jsonl")
+      ->required();
+  return with_plugins(app, [o] { return run(*o); });
+}
+
+Action declare_verify(CLI::App& app) {
+  const auto o = std::make_shared<VerifyOptions>();
+  app.add_option("DIR", o->directory, "what certify --out or judge --out wrote")->required();
+  app.add_flag("--rerun", o->rerun,
+               "run the whole trial again, which takes as long as it took, and compare all counts");
+  add_threads_option(app, o->threads);
+  return with_plugins(app, [o] { return run_verify(*o); });
+}
+
+}  // namespace tribunal

@@ -1,0 +1,58 @@
+// tribunal chart: speed and accuracy on the same cases, as figures and as the numbers behind them.
+#include "exact/chart/chart.h"
+
+#include <memory>
+
+#include "exact/base/files.h"
+#include "exact/base/json.h"
+#include "exact/cli/command.h"
+#include "exact/methods/methods.h"
+
+namespace tribunal {
+namespace {
+
+struct Options {
+  std::string methods, out = "charts";
+  ChartPlan plan;
+};
+
+ChartPlan plan_of(const Options& o) {
+  ChartPlan plan = o.plan;
+  if (o.methods.empty()) {
+    plan.methods.assign(all_methods().begin(), all_methods().end());
+  } else {
+    plan.methods = methods_named(o.methods);
+  }
+  return plan;
+}
+
+int run(const Options& o) {
+  const ChartPlan plan = plan_of(o);
+  make_directory(o.out);
+  const Chart chart = measure(plan);
+  write_file(o.out + "/chart.json", to_json(plan, chart).dump(1) + "\n");
+  print(to_table(plan, chart));
+  plot(o.out);
+  print("written: " + o.out + "/speed-accuracy.svg, onset.svg, the same as .png, chart.json, plot.py\n");
+  return 0;
+}
+
+}  // namespace
+
+Action declare_chart(CLI::App& app) {
+  const auto o = std::make_shared<Options>();
+  app.add_option("--method,--methods", o->methods, "methods, separated by commas (default all)");
+  app.add_option("--seed", o->plan.seed, "seed of the cases")->capture_default_str();
+  app.add_option("--count", o->plan.cases, "cases judged, of each population and format")
+      ->check(above_zero())
+      ->capture_default_str();
+  app.add_option("--repetitions", o->plan.repetitions, "times that every method is timed")
+      ->check(CLI::Range(9, 10'000))
+      ->capture_default_str();
+  add_threads_option(app, o->plan.threads);
+  app.add_option("--out", o->out, "directory for the figures and chart.json")->capture_default_str();
+  return with_plugins(
+      app, [o] { return run(*o); }, MayIsolate::no);
+}
+
+}  // namespace tribunal

@@ -1,0 +1,193 @@
+#include "exact/mesh/ear_clipping.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "exact/filtered/filtered_kernel.h"
+
+namespace tribunal {
+namespace {
+
+using IndexRing = std::vector<std::uint32_t>;
+
+/// Twice the area vector of a ring, in double: which axis to drop, and which way the ring runs.
+Point3 area_vector(const IndexRing& ring, const std::vector<Point3>& points) {
+  Point3 sum(0);
+  const Point3& o = points[ring[0]];
+  for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
+    const Point3 u = points[ring[i]] - o, v = points[ring[i + 1]] - o;
+    sum += Point3(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x);
+  }
+  return sum;
+}
+
+Axis widest(const Point3& area) {
+  const Point3 a(std::fabs(area.x), std::fabs(area.y), std::fabs(area.z));
+  return a.x >= a.y && a.x >= a.z ? Axis::x : a.y >= a.z ? Axis::y : Axis::z;
+}
+
+/// One closed walk of the outer ring and the holes, bridges walked there and back. The face lies to its left.
+class Walk {
+ public:
+  Walk(const Rings& face, const std::vector<Point3>& points)
+      : points_(points), dropped_(widest(area_vector(face[0], points))), ring_(face[0]) {
+    left_ = sign_of(area_vector(ring_, points)[static_cast<int>(dropped_)]);
+    for (std::size_t i = 1; i < face.size(); ++i) {
+      holes_.push_back(face[i]);
+      const Sign turn = sign_of(area_vector(face[i], points)[static_cast<int>(dropped_)]);
+      if (turn == left_) std::reverse(holes_.back().begin(), holes_.back().end());
+    }
+  }
+
+  /// No edge crosses another one inside both.
+  bool is_simple() const {
+    std::vector<std::array<std::uint32_t, 2>> edges;
+    const auto add = [&](const IndexRing& ring) {
+      for (std::size_t i = 0; i < ring.size(); ++i) edges.push_back({ring[i], ring[(i + 1) % ring.size()]});
+    };
+    add(ring_);
+    for (const IndexRing& hole : holes_) add(hole);
+    for (const auto& e : edges) {
+      const auto crosses_e = [&](const auto& f) { return crosses(e[0], e[1], f[0], f[1]); };
+      if (std::any_of(edges.begin(), edges.end(), crosses_e)) return false;
+    }
+    return true;
+  }
+
+  bool join_holes() {
+    while (!holes_.empty()) {
+      if (!join_one()) return false;
+    }
+    return true;
+  }
+
+  /// Cuts the first ear found until a triangle is left.
+  std::optional<std::vector<std::array<std::uint32_t, 3>>> cut() {
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    while (ring_.size() > 3) {
+      const std::size_t i = next_ear();
+      if (i == ring_.size()) return std::nullopt;
+      if (turn(at(i - 1), at(i), at(i + 1)) != Sign::zero) triangles.push_back({at(i - 1), at(i), at(i + 1)});
+      ring_.erase(ring_.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+    if (turn(at(0), at(1), at(2)) != Sign::zero) triangles.push_back({at(0), at(1), at(2)});
+    return triangles;
+  }
+
+ private:
+  std::uint32_t at(std::size_t i) const { return ring_[(i + ring_.size()) % ring_.size()]; }
+  bool same(std::uint32_t a, std::uint32_t b) const { return points_[a] == points_[b]; }
+
+  /// Positive where a, b, c turn as the outer ring does.
+  Sign turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+    return left_ * FilteredKernel().orient2d(dropped_, points_[a], points_[b], points_[c]);
+  }
+
+  bool in_triangle(std::uint32_t x, std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+    return turn(a, b, x) != Sign::negative && turn(b, c, x) != Sign::negative && turn(c, a, x) != Sign::negative;
+  }
+
+  /// A spike (the walk turns back on itself) is cut without a triangle; a flat corner waits until it is none.
+  bool is_ear(std::size_t i) const {
+    const std::uint32_t a = at(i - 1), b = at(i), c = at(i + 1);
+    if (same(a, b) || same(b, c) || same(a, c)) return true;
+    if (turn(a, b, c) != Sign::positive) return false;
+    return std::none_of(ring_.begin(), ring_.end(), [&](std::uint32_t x) {
+      return !same(x, a) && !same(x, b) && !same(x, c) && in_triangle(x, a, b, c);
+    });
+  }
+
+  std::size_t next_ear() const {
+    for (std::size_t i = 0; i < ring_.size(); ++i) {
+      if (is_ear(i)) return i;
+    }
+    return ring_.size();
+  }
+
+  /// x lies strictly between the edges of the corner a, b, c, on the side of the face.
+  bool in_corner(std::uint32_t x, std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+    const bool left_of_ab = turn(a, b, x) == Sign::positive, left_of_bc = turn(b, c, x) == Sign::positive;
+    return turn(a, b, c) == Sign::positive ? left_of_ab && left_of_bc : left_of_ab || left_of_bc;
+  }
+
+  bool crosses(std::uint32_t p, std::uint32_t q, std::uint32_t a, std::uint32_t b) const {
+    return turn(p, q, a) * turn(p, q, b) == Sign::negative && turn(a, b, p) * turn(a, b, q) == Sign::negative;
+  }
+
+  /// Whether the bridge pq meets the edge ab anywhere but at a common end.
+  bool meets(std::uint32_t p, std::uint32_t q, std::uint32_t a, std::uint32_t b) const {
+    const bool shares_a = same(p, a) || same(q, a), shares_b = same(p, b) || same(q, b);
+    const Sign a_side = turn(p, q, a), b_side = turn(p, q, b);
+    if (shares_a || shares_b) return (shares_a ? b_side : a_side) == Sign::zero;
+    return a_side * b_side != Sign::positive && turn(a, b, p) * turn(a, b, q) != Sign::positive;
+  }
+
+  bool meets_ring(std::uint32_t p, std::uint32_t q, const IndexRing& ring) const {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      if (meets(p, q, ring[i], ring[(i + 1) % ring.size()])) return true;
+    }
+    return false;
+  }
+
+  bool is_bridge(std::size_t i, const IndexRing& hole, std::size_t j) const {
+    const std::size_t n = hole.size();
+    if (!in_corner(hole[j], at(i - 1), at(i), at(i + 1))) return false;
+    if (!in_corner(at(i), hole[(j + n - 1) % n], hole[j], hole[(j + 1) % n])) return false;
+    return !meets_ring(at(i), hole[j], ring_) && std::none_of(holes_.begin(), holes_.end(), [&](const IndexRing& h) {
+      return meets_ring(at(i), hole[j], h);
+    });
+  }
+
+  /// The hole touches the walk from inside, corner to corner: a bridge without length.
+  bool touches(std::size_t i, const IndexRing& hole, std::size_t j) const {
+    const std::size_t n = hole.size();
+    return same(at(i), hole[j]) && in_corner(hole[(j + 1) % n], at(i - 1), at(i), at(i + 1)) &&
+           in_corner(hole[(j + n - 1) % n], at(i - 1), at(i), at(i + 1));
+  }
+
+  /// Holes that touch go first: nothing can reach past where they do.
+  bool join_one() {
+    return join([this](std::size_t i, const IndexRing& hole, std::size_t j) { return touches(i, hole, j); }) ||
+           join([this](std::size_t i, const IndexRing& hole, std::size_t j) { return is_bridge(i, hole, j); });
+  }
+
+  template <class Joins>
+  bool join(const Joins& joins) {
+    for (std::size_t h = 0; h < holes_.size(); ++h) {
+      for (std::size_t i = 0; i < ring_.size(); ++i) {
+        for (std::size_t j = 0; j < holes_[h].size(); ++j) {
+          if (!joins(i, holes_[h], j)) continue;
+          splice(i, h, j);
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  /// …, rᵢ, hⱼ, hⱼ₊₁, …, hⱼ, rᵢ, …
+  void splice(std::size_t i, std::size_t h, std::size_t j) {
+    IndexRing detour(holes_[h].begin() + static_cast<std::ptrdiff_t>(j), holes_[h].end());
+    detour.insert(detour.end(), holes_[h].begin(), holes_[h].begin() + static_cast<std::ptrdiff_t>(j) + 1);
+    detour.push_back(ring_[i]);
+    ring_.insert(ring_.begin() + static_cast<std::ptrdiff_t>(i) + 1, detour.begin(), detour.end());
+    holes_.erase(holes_.begin() + static_cast<std::ptrdiff_t>(h));
+  }
+
+  const std::vector<Point3>& points_;
+  Axis dropped_;
+  IndexRing ring_;
+  std::vector<IndexRing> holes_;
+  Sign left_ = Sign::positive;
+};
+
+}  // namespace
+
+std::optional<std::vector<std::array<std::uint32_t, 3>>> clip_ears(const Rings& face,
+                                                                   const std::vector<Point3>& points) {
+  Walk walk(face, points);
+  if (!walk.is_simple() || !walk.join_holes()) return std::nullopt;
+  return walk.cut();
+}
+
+}  // namespace tribunal

@@ -1,0 +1,175 @@
+#include "exact/methods/methods.h"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <utility>
+
+#include "core/polygon_rivals.h"
+#include "core/rivals/arenberg.h"
+#include "core/rivals/badouel.h"
+#include "core/rivals/baldwin_weber.h"
+#include "core/rivals/chirkov.h"
+#include "core/rivals/embree_pluecker.h"
+#include "core/rivals/fixed_edges.h"
+#include "core/rivals/havel_herout.h"
+#include "core/rivals/jimenez.h"
+#include "core/rivals/kensler_shirley.h"
+#include "core/rivals/moeller_trumbore.h"
+#include "core/rivals/pluecker.h"
+#include "core/rivals/shevtsov.h"
+#include "core/rivals/simulation_of_simplicity.h"
+#include "core/rivals/wald.h"
+#include "core/rivals/woop.h"
+#include "exact/base/failure.h"
+#include "exact/filtered/filtered_method.h"
+#include "exact/kernels/rivals.h"
+#include "exact/methods/exact_methods.h"
+#include "exact/methods/naive.h"
+
+namespace tribunal {
+
+namespace {
+
+/// A method's name stands here and nowhere else in the program.
+struct Row {
+  std::string name;
+  Method (*make)();
+  std::vector<Role> roles{};
+};
+
+/// A rival of the shelf on both formats: `name`-float and `name`-double.
+struct Shelf {
+  const char* name;
+  Method (*in_float)();
+  Method (*in_double)();
+};
+
+template <template <class> class Rival>
+Shelf rivals(const char* name) {
+  return {name, rival<Rival, float>, rival<Rival, double>};
+}
+
+const std::vector<Shelf>& shelf() {
+  static const std::vector<Shelf> table = {
+      rivals<MoellerTrumbore>("mt"),
+      rivals<MoellerTrumborePrinted>("mt-eps"),
+      rivals<MoellerTrumboreCulling>("mt-cull"),
+      rivals<Arenberg>("arenberg"),
+      rivals<Badouel>("badouel"),
+      rivals<Pluecker>("pluecker"),
+      rivals<TripleProducts>("triple"),
+      rivals<Wald>("wald"),
+      rivals<ChirkovUnprepared>("chirkov2"),
+      rivals<ChirkovPrepared>("chirkov3"),
+      rivals<KenslerShirley>("kensler-shirley"),
+      rivals<Shevtsov>("shevtsov"),
+      rivals<HavelHerout>("havel-herout"),
+      rivals<Jimenez>("jimenez"),
+      rivals<Woop>("woop"),
+      rivals<EmbreePluecker>("embree"),
+      rivals<BaldwinWeber>("baldwin-weber"),
+      rivals<FixedEdges>("edges"),
+      rivals<SimulationOfSimplicity>("sos"),
+  };
+  return table;
+}
+
+std::vector<Row> all_rows() {
+  std::vector<Row> table = {
+      {"sf-float", sf_float, {Role::calibration}},
+      {"sf-double", sf_double, {Role::calibration}},
+      {"sf-double-eps", sf_double_eps},
+      {"sf-filtered", sf_filtered, {Role::flagship}},
+      {"sf-epick", sf_epick, {Role::generator}},
+      {"sf-epeck", sf_epeck},
+      {"sf-rational", sf_rational, {Role::reference}},
+  };
+  for (const Shelf& s : shelf()) {
+    table.push_back({std::string(s.name) + "-float", s.in_float});
+    table.push_back({std::string(s.name) + "-double", s.in_double});
+  }
+  const std::vector<Row> others = {
+      {"haines-float", haines_float},
+      {"haines-double", haines_double},
+      {"feito-float", feito_float},
+      {"feito-double", feito_double},
+      {"cgal-epick", cgal_epick, {Role::second_opinion}},
+      {"cgal-epeck", cgal_epeck},
+  };
+  table.insert(table.end(), others.begin(), others.end());
+  return table;
+}
+
+const std::vector<Row>& rows() {
+  static const std::vector<Row> table = all_rows();
+  return table;
+}
+
+/// A deque: a method keeps its address when others are added.
+std::deque<Method> made() {
+  std::deque<Method> methods;
+  for (const Row& row : rows()) {
+    methods.push_back(row.make());
+    methods.back().name = row.name;
+  }
+  return methods;
+}
+
+std::deque<Method>& table() {
+  static std::deque<Method> methods = made();
+  return methods;
+}
+
+bool holds(const Row& row, Role role) { return std::ranges::find(row.roles, role) != row.roles.end(); }
+
+}  // namespace
+
+std::string_view name_of(Role role) {
+  constexpr std::array<std::string_view, 5> names = {"reference", "second opinion", "calibration", "flagship",
+                                                     "generator"};
+  return names[static_cast<std::size_t>(role)];
+}
+
+const std::deque<Method>& all_methods() { return table(); }
+
+void add_method(Method method) {
+  if (find_method(method.name) != nullptr) throw Failure(Exit::usage, "two methods are called " + method.name);
+  table().push_back(std::move(method));
+}
+
+const Method* find_method(std::string_view name) {
+  const std::deque<Method>& methods = all_methods();
+  const auto found = std::ranges::find(methods, name, &Method::name);
+  return found == methods.end() ? nullptr : &*found;
+}
+
+const Method& method_with(Role role) {
+  for (std::size_t i = 0; i < rows().size(); ++i) {
+    if (holds(rows()[i], role)) return table()[i];
+  }
+  throw std::logic_error("no method has the role: " + std::string(name_of(role)));
+}
+
+std::vector<Method> methods_with(Role role) {
+  std::vector<Method> methods;
+  for (std::size_t i = 0; i < rows().size(); ++i) {
+    if (holds(rows()[i], role)) methods.push_back(table()[i]);
+  }
+  return methods;
+}
+
+std::vector<const Method*> methods_with(Capability capability) {
+  std::vector<const Method*> methods;
+  for (const Method& m : all_methods()) {
+    if (has(m, capability)) methods.push_back(&m);
+  }
+  return methods;
+}
+
+std::vector<Role> roles_of(const Method& method) {
+  const auto row = std::ranges::find(rows(), method.name, &Row::name);
+  return row == rows().end() ? std::vector<Role>{} : row->roles;
+}
+
+}  // namespace tribunal

@@ -1,0 +1,59 @@
+#include "exact/record/chain.h"
+
+#include <sstream>
+#include <utility>
+
+#include "exact/base/failure.h"
+#include "exact/base/files.h"
+#include "exact/base/sha256.h"
+
+namespace tribunal {
+namespace {
+
+/// Takes the hash off a record; fails if the line is not the text that was hashed.
+std::string take_hash(Json& record, const std::string& line, const Where& where) {
+  if (!record.is_object() || record.dump() != line) where.fail("not a line as it was written");
+  const Json hash = require(record, "sha256", where);
+  if (!hash.is_string()) where.fail("expected a hash in \"sha256\"");
+  record.erase("sha256");
+  return hash;
+}
+
+}  // namespace
+
+void ChainedLog::append(Json record) {
+  log_.head = sha256(log_.head + record.dump());
+  record["sha256"] = log_.head;
+  text_ += record.dump() + "\n";
+}
+
+void ChainedLog::add(Json record) {
+  append(record);
+  log_.records.push_back(std::move(record));
+}
+
+std::string ChainedLog::finish() {
+  append({{"record", "end"}, {"records", log_.records.size()}});
+  return text_;
+}
+
+LogRecords read_log(const std::string& path) {
+  std::istringstream lines(read_file(path));
+  LogRecords log{{}, std::string(64, '0')};
+  Where where{path};
+  for (std::string line; std::getline(lines, line);) {
+    ++where.line;
+    Json record = parse_json(line, where);
+    const std::string hash = take_hash(record, line, where);
+    log.head = sha256(log.head + record.dump());
+    if (hash != log.head)
+      where.fail("the line or one before it was changed: its hash is " + log.head + ", not " + hash);
+    log.records.push_back(std::move(record));
+  }
+  const Json end = {{"record", "end"}, {"records", log.records.empty() ? 0 : log.records.size() - 1}};
+  if (log.records.empty() || log.records.back() != end) where.fail("the log is cut short: its end is missing");
+  log.records.pop_back();
+  return log;
+}
+
+}  // namespace tribunal

@@ -1,0 +1,103 @@
+#include "exact/record/checkpoint.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "exact/base/failure.h"
+#include "exact/base/files.h"
+#include "exact/record/chain.h"
+#include "exact/record/sample_row.h"
+
+namespace tribunal {
+namespace {
+
+/// All that the cases and their order depend on; not the threads.
+Json plan_record(const FuzzPlan& plan) {
+  Json methods = Json::array(), streams = Json::array();
+  for (const Method& m : plan.methods) methods.push_back(m.name);
+  for (const Stream& s : plan.streams) streams.push_back(name_of(s));
+  return {{"record", "fuzz"}, {"methods", methods}, {"streams", streams}, {"seed", plan.seed}, {"cases", plan.cases}};
+}
+
+Json finding_record(const Finding& f) {
+  Json record = {{"record", "finding"}, {"method", f.method}, {"stream", f.stream}, {"case", f.k}};
+  if (is_fault(f.answer.status)) record["fault"] = fault_name(f.answer.status);
+  return record;
+}
+
+/// The answer is asked for again, but for a fault, which may have taken its time.
+Answer answer_of(const Method& method, const Query& query, const Json& record, const Where& where) {
+  if (!record.contains("fault")) return method.ask(query);
+  const Status fault = fault_named(string_of(record, "fault", where));
+  if (!is_fault(fault)) where.key("fault").fail("no such fault");
+  return refusal(fault);
+}
+
+/// Case and answer are made again from their numbers.
+Finding finding_from(const FuzzPlan& plan, const Json& record, const Where& where) {
+  const std::size_t method = number_of(record, "method", where), stream = number_of(record, "stream", where);
+  if (method >= plan.methods.size() || stream >= plan.streams.size()) where.fail("no such method or stream");
+  const std::uint64_t k = number_of(record, "case", where);
+  const Stream& source = plan.streams[stream];
+  const Trial trial = source.family->make(source.format, plan.seed, k);
+  return {method, stream, k, trial, truth_of(trial, k), answer_of(plan.methods[method], trial.query, record, where)};
+}
+
+void add_row(const FuzzPlan& plan, FuzzReport& report, const SampleRow& row, const Where& where) {
+  const auto method = std::ranges::find(plan.methods, row.method, &Method::name);
+  const auto stream = std::ranges::find_if(
+      plan.streams, [&](const Stream& s) { return s.family->name == row.family && s.format == row.format; });
+  if (method == plan.methods.end() || stream == plan.streams.end()) where.fail("no such method or stream");
+  if (row.level >= stream->family->levels(row.format).size()) where.fail("no such level");
+  const auto m = static_cast<std::size_t>(method - plan.methods.begin());
+  const auto s = static_cast<std::size_t>(stream - plan.streams.begin());
+  for (const auto& [slot, count] : row.counts) {
+    if (!slots_of(plan.operands()).contains(slot)) where.fail("\"" + slot_name(slot) + "\" is of other operands");
+    report.counts.at({m, s, row.level, slot}) += count;
+  }
+}
+
+void add_record(const FuzzPlan& plan, FuzzReport& report, const Json& record, const Where& where) {
+  const std::string kind = string_of(record, "record", where);
+  if (kind == "sample") {
+    add_row(plan, report, to_sample_row(record, where), where);
+  } else if (kind == "finding") {
+    report.findings.push_back(finding_from(plan, record, where));
+  } else if (kind == "done") {
+    report.cases = number_of(record, "cases", where);
+  } else {
+    where.fail("unknown record \"" + kind + "\"");
+  }
+}
+
+}  // namespace
+
+std::string checkpoint_path(const std::string& directory) { return directory + "/checkpoint.jsonl"; }
+
+void save_checkpoint(const std::string& directory, const FuzzPlan& plan, const FuzzReport& report) {
+  ChainedLog log;
+  log.add(plan_record(plan));
+  for (const SampleRow& row : rows_of(plan, report)) log.add(to_record(row));
+  for (const Finding& f : report.findings) log.add(finding_record(f));
+  log.add({{"record", "done"}, {"cases", report.cases}});
+  write_file(checkpoint_path(directory), log.finish());
+  for (const char* of_another_run : {"/summary.json", "/counterexamples.jsonl"}) {
+    std::filesystem::remove(directory + of_another_run);
+  }
+}
+
+std::optional<FuzzReport> load_checkpoint(const std::string& directory, const FuzzPlan& plan) {
+  const std::string path = checkpoint_path(directory);
+  if (!std::filesystem::exists(path)) return std::nullopt;
+  const LogRecords log = read_log(path);
+  if (log.records.empty() || log.records[0] != plan_record(plan)) {
+    throw Failure(Exit::usage, path + " is of a run with other methods, families, seed or count");
+  }
+  FuzzReport report = empty_report(plan);
+  for (std::size_t i = 1; i < log.records.size(); ++i) add_record(plan, report, log.records[i], {path, i + 1});
+  return report;
+}
+
+void remove_checkpoint(const std::string& directory) { std::filesystem::remove(checkpoint_path(directory)); }
+
+}  // namespace tribunal

@@ -1,0 +1,50 @@
+// Counterexamples: self-contained case lines, with the exact evidence beside them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "exact/cases/case_io.h"
+#include "exact/trial/fuzz.h"
+
+namespace tribunal {
+
+/// The exact signs and parameter of a query, as anyone with rationals can recompute them.
+/// `abcp`, `abcq` are orient3d(a,b,c,·) of source and target; `pqab`, `pqbc`, `pqca` those of the probe's line.
+/// For a ray, q stands for the direction. `t` is where the probe meets the plane, as a fraction of [p,q] or in
+/// multiples of d; absent if it is parallel. Of a polygon: the exact `contact` and `planar`.
+Json exact_evidence(const Query& query);
+
+/// The case with the exact answer, and with a "finding" that says what the method answered, the answer due by its
+/// convention, the exact evidence, every method's answer (null where operands or contract do not fit) and what it was
+/// made with.
+Case with_finding(Case c, const Method& method, const Truth& truth, const Answer& answer);
+
+/// The same, and the method, if it can be asked, is asked again: a fault takes the place of what it answered.
+Case with_steady_finding(Case c, const Method& method, const Truth& truth, const Answer& answer);
+
+/// Asks all findings of a report again, and notes the faults.
+void ask_again(const FuzzPlan& plan, FuzzReport& report);
+
+/// The query, shrunk, likewise; `source` says where it came from, `before` what fault was seen then, if any.
+Case to_counterexample(const Method& method, const Query& query, Format format, const std::string& source,
+                       Status before = Status::ok);
+
+/// The finding, shrunk, likewise; its origin is the family, seed, case number and stress level it came from.
+Case to_counterexample(const FuzzPlan& plan, const Finding& finding);
+
+/// The case, shrunk, with its finding made anew; its origin stays. Fails with Exit::bad_input if the method answers it
+/// rightly.
+Case shrunk(Case c, const Method& method);
+
+/// One JSON line each.
+std::string to_lines(const std::vector<Case>& cases);
+
+/// What a case's own "expect" or "class" has wrong, or nothing.
+std::string mistaken_claim(const Case& c, const Truth& truth);
+
+/// What `replay` prints of a case: points, evidence, exact answer and every method's. Sets `wrong` if some method
+/// that takes the case answers wrongly, or the case claims something false of itself.
+std::string replay(const Case& c, bool& wrong);
+
+}  // namespace tribunal

@@ -1,0 +1,44 @@
+// The exact signs that decide a case, for counterexamples.
+#include "exact/kernels/rational_kernel.h"
+#include "exact/record/counterexample.h"
+
+namespace tribunal {
+namespace {
+
+/// Where on the probe the plane of t lies: V(p) / (V(p) − V(q)) on a segment, V(o) / −V(d) on a ray.
+HitParameter<Dyadic> parameter(const Ray& r, const Triangle& t) { return hit_parameter<Dyadic>(r, t); }
+
+HitParameter<Dyadic> parameter(const Segment& s, const Triangle& t) {
+  const Dyadic from_p = signed_volume<Dyadic>(t.a, t.b, t.c, s.p);
+  return {from_p, from_p - signed_volume<Dyadic>(t.a, t.b, t.c, s.q)};
+}
+
+template <class P>
+Json evidence(const P& probe, const Triangle& t) {
+  const RationalKernel k;
+  const Point3& p = source(probe);
+  const auto& q = target(probe);
+  Json object;
+  object["abcp"] = value(k.orient3d(t.a, t.b, t.c, p));
+  object["abcq"] = value(k.orient3d(t.a, t.b, t.c, q));
+  object["pqab"] = value(k.orient3d(p, t.a, t.b, q));
+  object["pqbc"] = value(k.orient3d(p, t.b, t.c, q));
+  object["pqca"] = value(k.orient3d(p, t.c, t.a, q));
+  const HitParameter<Dyadic> at = parameter(probe, t);
+  if (sign_of(at.den) != Sign::zero) {
+    object["t"] = mpq_class(at.num.fraction() / at.den.fraction()).get_str();
+  }
+  return object;
+}
+
+}  // namespace
+
+Json exact_evidence(const Query& query) {
+  if (query.operands() == Operands::polygons) {
+    const Truth truth = exact_truth(query);
+    return {{"contact", name_of(truth.contact)}, {"planar", truth.planar}};
+  }
+  return std::visit([&](const auto& probe) { return evidence(probe, query.triangle()); }, query.probe);
+}
+
+}  // namespace tribunal

@@ -1,0 +1,172 @@
+#include "exact/record/judge_answers.h"
+
+#include <algorithm>
+#include <optional>
+#include <unordered_map>
+
+#include "exact/base/failure.h"
+#include "exact/base/interrupt.h"
+#include "exact/base/parallel.h"
+#include "exact/base/progress.h"
+#include "exact/record/counterexample.h"
+
+namespace tribunal {
+namespace {
+
+/// Fails where a case claims something false of itself.
+void answer_exactly(Exam& exam, const std::string& path, unsigned threads) {
+  constexpr std::size_t block_size = 256;
+  const std::size_t n = exam.cases.size();
+  exam.truths.resize(n);
+  Progress progress("judge", "cases", n);
+  const auto work = [&](std::size_t block, unsigned) {
+    const std::size_t begin = block * block_size, end = std::min(n, begin + block_size);
+    for (std::size_t i = begin; i < end; ++i) exam.truths[i] = exact_truth(exam.cases[i].query);
+    progress.add(end - begin, 0);
+  };
+  run_blocks((n + block_size - 1) / block_size, threads, work, {});
+  if (interrupted() != 0) throw Failure(static_cast<Exit>(128 + interrupted()), "interrupted; nothing was judged");
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::string error = mistaken_claim(exam.cases[i], exam.truths[i]);
+    if (!error.empty()) throw bad_input(path, 0, exam.cases[i].id + ": " + error);
+  }
+}
+
+/// Reads the cases, refusing a second one of the same id at its line.
+Exam read_distinct_cases(const std::string& path) {
+  Exam exam;
+  std::unordered_map<std::string, std::size_t> lines;
+  for_each_line(path, [&](const Json& object, const Where& where) {
+    exam.cases.push_back(to_case(object, where));
+    const auto [first, fresh] = lines.emplace(exam.cases.back().id, where.line);
+    if (fresh) return;
+    where.fail("id \"" + first->first + "\" again, it was on line " + std::to_string(first->second) +
+               "; expected one case an id");
+  });
+  if (exam.cases.empty()) throw bad_input(path, 0, "holds no cases, expected one JSON object a line");
+  return exam;
+}
+
+// --- answer lines --------------------------------------------------------------------------------------------------
+
+std::string text_at(const Json& object, const char* key, const Where& where) {
+  const Json& value = require(object, key, where);
+  if (!value.is_string() || value.get_ref<const std::string&>().empty()) {
+    where.key(key).fail("expected a string that is not empty");
+  }
+  return value.get<std::string>();
+}
+
+/// What "failed" means, where the line says it.
+Status fault_at(const Json& object, const Where& where) {
+  if (!object.contains("fault")) return Status::gave_no_answer;
+  const std::string name = text_at(object, "fault", where);
+  if (const Status fault = fault_named(name); is_fault(fault)) return fault;
+  where.key("fault").fail("expected one that docs/formats.md lists, found \"" + name + "\"");
+}
+
+Status status_at(const Json& object, const Where& where) {
+  if (!object.contains("status")) return Status::ok;
+  const std::string name = text_at(object, "status", where);
+  for (const Status s : {Status::ok, Status::nonfinite, Status::unsupported}) {
+    if (name == name_of(s)) return s;
+  }
+  if (name == name_of(Status::gave_no_answer)) return fault_at(object, where);
+  where.key("status").fail("expected \"ok\", \"nonfinite\", \"unsupported\" or \"failed\", found \"" + name + "\"");
+}
+
+/// The words of an answer that this program writes and does not judge are let through.
+Answer to_answer(const Json& object, const Where& where) {
+  require_keys(
+      object, {"id", "method", "hit", "status", "class", "contact", "at", "stage", "planar", "fault", "detail"}, where);
+  const Status status = status_at(object, where);
+  if (status != Status::ok) {
+    if (object.contains("hit")) where.key("hit").fail("given with a status that is not \"ok\"");
+    return refusal(status);
+  }
+  const Json& hit = require(object, "hit", where);
+  if (hit != 0 && hit != 1) where.key("hit").fail("expected 0 or 1, found " + hit.dump());
+  return hit == 1 ? hit_at(Contact::unsaid) : miss();
+}
+
+/// Sheets as they fill.
+class Sheets {
+ public:
+  explicit Sheets(const std::vector<std::string>& ids) : ids_(ids) {
+    for (std::size_t i = 0; i < ids.size(); ++i) places_.emplace(ids[i], i);
+  }
+
+  void add(const Json& object, const Where& where) {
+    const Answer answer = to_answer(object, where);
+    const std::string id = text_at(object, "id", where);
+    const std::string method = object.contains("method") ? text_at(object, "method", where) : "answers";
+    const auto place = places_.find(id);
+    if (place == places_.end()) where.fail("answers \"" + id + "\", which is no case's id");
+    std::optional<Answer>& slot = sheet_of(method).answers[place->second];
+    if (slot) where.fail("a second answer of " + method + " to \"" + id + "\", expected one");
+    slot = answer;
+  }
+
+  std::vector<AnswerSheet> complete(const std::string& path) const {
+    if (sheets_.empty()) throw bad_input(path, 0, "holds no answers, expected one JSON object a line");
+    std::vector<AnswerSheet> sheets;
+    for (const Sheet& s : sheets_) sheets.push_back({s.method, complete(s, path)});
+    return sheets;
+  }
+
+ private:
+  struct Sheet {
+    std::string method;
+    std::vector<std::optional<Answer>> answers;
+  };
+
+  Sheet& sheet_of(const std::string& method) {
+    for (Sheet& s : sheets_) {
+      if (s.method == method) return s;
+    }
+    return sheets_.emplace_back(Sheet{method, std::vector<std::optional<Answer>>(ids_.size())});
+  }
+
+  std::vector<Answer> complete(const Sheet& sheet, const std::string& path) const {
+    std::vector<Answer> answers;
+    std::size_t missing = 0, first = 0;
+    for (std::size_t i = 0; i < ids_.size(); ++i) {
+      if (!sheet.answers[i] && missing++ == 0) first = i;
+      answers.push_back(sheet.answers[i].value_or(miss()));
+    }
+    if (missing == 0) return answers;
+    throw bad_input(path, 0,
+                    std::to_string(missing) + " of " + std::to_string(ids_.size()) + " answers of " + sheet.method +
+                        " are missing, the first to \"" + ids_[first] + "\"; expected one for each case");
+  }
+
+  const std::vector<std::string>& ids_;
+  std::unordered_map<std::string, std::size_t> places_;
+  std::vector<Sheet> sheets_;
+};
+
+}  // namespace
+
+Exam read_exam(const std::string& path, unsigned threads) {
+  Exam exam = read_distinct_cases(path);
+  answer_exactly(exam, path, threads);
+  return exam;
+}
+
+std::vector<AnswerSheet> read_answers(const std::string& path, const Exam& exam) {
+  std::vector<std::string> ids;
+  for (const Case& c : exam.cases) ids.push_back(c.id);
+  Sheets sheets(ids);
+  for_each_line(path, [&](const Json& object, const Where& where) { sheets.add(object, where); });
+  return sheets.complete(path);
+}
+
+Method method_of(const AnswerSheet& sheet, Convention convention) {
+  Method method{};
+  method.name = sheet.method;
+  method.card = {.number = "unknown", .summary = "answers computed elsewhere", .reference = ""};
+  method.contract = {.polygons = Polygons::any, .convention = convention};
+  return method;
+}
+
+}  // namespace tribunal

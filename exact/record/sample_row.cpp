@@ -1,0 +1,125 @@
+#include "exact/record/sample_row.h"
+
+#include <array>
+#include <tuple>
+#include <utility>
+
+#include "exact/base/json.h"
+
+namespace tribunal {
+namespace {
+
+Slot to_slot(const std::string& name, const Where& where) {
+  const std::optional<Slot> slot = slot_named(name);
+  if (!slot) where.fail("expected a class C001 to C163, \"ray\" or a kind of polygon case, found \"" + name + "\"");
+  return *slot;
+}
+
+std::array<std::uint64_t, 6> numbers_of(const Count& c) {
+  return {c.asked, c.wrong, c.unsupported, c.at(Stage::filter), c.at(Stage::expansion), c.at(Stage::exact)};
+}
+
+}  // namespace
+
+Count total_of(const SampleRow& row) {
+  Count total;
+  for (const auto& [slot, count] : row.counts) total += count;
+  return total;
+}
+
+Count total_of(const SampleRow& row, bool rays) {
+  Count total;
+  for (const auto& [slot, count] : row.counts) {
+    if (is_of_rays(slot) == rays) total += count;
+  }
+  return total;
+}
+
+Json to_array(const Count& count) {
+  const auto numbers = numbers_of(count);
+  std::size_t length = numbers.size();
+  while (length > 1 && numbers[length - 1] == 0) --length;
+  Json array = Json::array();
+  for (std::size_t i = 0; i < length; ++i) array.push_back(numbers[i]);
+  return array;
+}
+
+Count to_count(const Json& array, const Where& where) {
+  std::array<std::uint64_t, 6> n{};
+  if (!array.is_array() || array.empty() || array.size() > n.size()) where.fail("expected one to six counts");
+  for (std::size_t i = 0; i < array.size(); ++i) {
+    if (!array[i].is_number_unsigned()) where.index(i).fail("expected a count");
+    n[i] = array[i];
+  }
+  Count count{.asked = n[0], .wrong = n[1], .unsupported = n[2]};
+  const std::uint64_t staged = n[3] + n[4] + n[5];
+  if (n[2] > n[0] || n[1] > n[0] - n[2] || staged > n[0] - n[2]) where.fail("counts that cannot be: " + array.dump());
+  count.by_stage = {n[0] - n[2] - staged, n[3], n[4], n[5]};
+  return count;
+}
+
+Json to_record(const SampleRow& row) {
+  Json counts = Json::object();
+  for (const auto& [slot, count] : row.counts) counts[slot_name(slot)] = to_array(count);
+  return {{"record", "sample"}, {"method", row.method}, {"family", row.family}, {"fmt", name_of(row.format)},
+          {"level", row.level}, {"stress", row.stress}, {"counts", counts}};
+}
+
+std::string string_of(const Json& record, std::string_view key, const Where& where) {
+  const Json& value = require(record, key, where);
+  if (!value.is_string()) where.key(key).fail("expected a string");
+  return value;
+}
+
+std::uint64_t number_of(const Json& record, std::string_view key, const Where& where) {
+  const Json& value = require(record, key, where);
+  if (!value.is_number_unsigned()) where.key(key).fail("expected a whole number");
+  return value;
+}
+
+bool truth_value_of(const Json& record, std::string_view key, const Where& where) {
+  const Json& value = require(record, key, where);
+  if (!value.is_boolean()) where.key(key).fail("expected true or false");
+  return value;
+}
+
+Format format_of(const Json& record, const Where& where) {
+  const std::string name = string_of(record, "fmt", where);
+  if (name == name_of(Format::binary32)) return Format::binary32;
+  if (name != name_of(Format::binary64)) where.key("fmt").fail("expected binary32 or binary64, found " + name);
+  return Format::binary64;
+}
+
+SampleRow to_sample_row(const Json& record, const Where& where) {
+  SampleRow row;
+  row.method = string_of(record, "method", where);
+  row.family = string_of(record, "family", where);
+  row.format = format_of(record, where);
+  row.level = number_of(record, "level", where);
+  const Json& stress = require(record, "stress", where);
+  if (!stress.is_number_integer()) where.key("stress").fail("expected an integer");
+  row.stress = stress;
+  for (const auto& item : require(record, "counts", where).items()) {
+    row.counts[to_slot(item.key(), where)] = to_count(item.value(), where.key(item.key()));
+  }
+  return row;
+}
+
+std::vector<SampleRow> rows_of(const FuzzPlan& plan, const FuzzReport& report) {
+  std::map<std::tuple<std::size_t, std::size_t, std::size_t>, SampleRow> rows;
+  report.counts.for_each([&](const Cell& cell, const Count& count) {
+    const Stream& stream = plan.streams[cell.stream];
+    SampleRow& row = rows[{cell.method, cell.stream, cell.level}];
+    row.method = plan.methods[cell.method].name;
+    row.family = stream.family->name;
+    row.format = stream.format;
+    row.level = cell.level;
+    row.stress = stream.family->levels(stream.format)[cell.level];
+    row.counts[cell.slot] = count;
+  });
+  std::vector<SampleRow> list;
+  for (auto& [key, row] : rows) list.push_back(std::move(row));
+  return list;
+}
+
+}  // namespace tribunal

@@ -1,0 +1,44 @@
+// Counts by class as records of a log: what checkpoints and certificates are made of.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "exact/base/json_fwd.h"
+#include "exact/trial/fuzz.h"
+
+namespace tribunal {
+
+/// Counts of one method in one stream at one level of its stress axis.
+struct SampleRow {
+  std::string method, family;
+  Format format = Format::binary64;
+  std::size_t level = 0;
+  int stress = 0;                  ///< the level's value on the stress axis
+  std::map<Slot, Count> counts{};  ///< where something was asked
+};
+
+Count total_of(const SampleRow& row);
+
+/// What the row counted of rays, or of segments.
+Count total_of(const SampleRow& row, bool rays);
+
+/// All rows of a report in which anything was asked, in the plan's order.
+std::vector<SampleRow> rows_of(const FuzzPlan& plan, const FuzzReport& report);
+
+/// The record "sample". A count is [asked, wrong, unsupported, filter, expansion, exact] without trailing zeros; what
+/// no stage answered came from a method without stages.
+Json to_record(const SampleRow& row);
+SampleRow to_sample_row(const Json& record, const Where& where);
+
+Json to_array(const Count& count);
+Count to_count(const Json& array, const Where& where);
+
+/// A string, a whole number or a truth value of a record; fails if it is missing or of another type.
+std::string string_of(const Json& record, std::string_view key, const Where& where);
+std::uint64_t number_of(const Json& record, std::string_view key, const Where& where);
+bool truth_value_of(const Json& record, std::string_view key, const Where& where);
+Format format_of(const Json& record, const Where& where);
+
+}  // namespace tribunal

@@ -1,0 +1,72 @@
+// The simplest counterexample so far, and the steps that serve any operands.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "exact/shrink/coordinate_rules.h"
+#include "exact/trial/judge.h"
+
+namespace tribunal {
+
+/// All vectors of a query, to be changed in place: the target's, then the probe's. The first `points` are points; a
+/// direction, which does not translate, is last.
+struct QueryVectors {
+  std::vector<Point3*> v;
+  std::size_t points;
+};
+
+QueryVectors vectors_in(Query& query);
+
+/// What makes a query simple, the first thing first: fewer vertices; fewer significand bits in all; exponents nearer to
+/// 0; fewer minus signs; of triangles, last, the lexicographic order of the coordinates.
+struct QueryCost {
+  std::size_t vertices = 0;
+  CoordinateCost simplicity{};
+  std::array<double, 15> coordinates{};
+  auto operator<=>(const QueryCost&) const = default;
+};
+
+QueryCost cost_of(Query query);
+
+/// Holds the simplest counterexample so far and takes simpler ones. Every step lowers the cost, of which there are
+/// finitely many, so a run ends; and it ends only when no rule finds a step, so its result is its own fixed point.
+class Shrinker {
+ public:
+  Shrinker(const Method& method, const Query& query, Format format);
+
+  const Query& best() const { return best_; }
+  const QueryCost& cost() const { return cost_; }
+  Format format() const { return format_; }
+
+  /// Takes the candidate if it is simpler and still the same counterexample: the same exact class, contact and
+  /// `planar`, and the same wrong answer.
+  bool offer(const Query& candidate);
+
+  /// Moves the vector to the origin of the axis, and all with it.
+  bool translate(int axis, std::size_t vector);
+
+  /// Takes a power of two out of the axis.
+  bool scale(int axis);
+
+  /// All coordinates of one value on an axis move together, to 0, ±1 or fewer significand bits.
+  bool simplify_values();
+
+ private:
+  bool simplify(int axis, double value);
+  bool replace(int axis, double value, double by);
+
+  const Method& method_;
+  const Format format_;
+  Query best_;
+  QueryCost cost_;
+  const Truth truth_;
+  const Answer wrong_;
+};
+
+/// All rules once, each where it applies. Whether one did.
+bool simplify_triangle(Shrinker& shrinker);
+bool simplify_polygon(Shrinker& shrinker);
+
+}  // namespace tribunal

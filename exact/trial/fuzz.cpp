@@ -1,0 +1,200 @@
+#include "exact/trial/fuzz.h"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "exact/base/failure.h"
+#include "exact/base/fp_environment.h"
+#include "exact/base/interrupt.h"
+#include "exact/base/parallel.h"
+#include "exact/base/progress.h"
+#include "exact/cases/family_table.h"
+#include "exact/trial/prepared.h"
+
+namespace tribunal {
+namespace {
+
+/// The first finding of each method × stream × class or outcome × fault, by case number.
+using FirstFindings = std::map<std::tuple<std::size_t, std::size_t, Slot, Status>, Finding>;
+
+void keep_first(FirstFindings& kept, const Finding& f) {
+  const auto [entry, fresh] = kept.try_emplace({f.method, f.stream, slot_of(f.truth), f.answer.status}, f);
+  if (!fresh && f.k < entry->second.k) entry->second = f;
+}
+
+struct Worker {
+  CountTable counts;
+  FirstFindings findings{};
+  std::uint64_t wrong = 0;
+  std::vector<Answer> answers{};
+};
+
+/// Consecutive cases of one stream: number first_k onwards.
+struct Chunk {
+  std::size_t stream;
+  std::uint64_t first_k;
+  std::vector<Trial> trials{};
+  std::vector<Truth> truths{};
+  std::vector<Query> queries{};
+};
+
+Chunk make_chunk(const FuzzPlan& plan, std::size_t stream, std::uint64_t first_k, std::uint64_t end_k) {
+  Chunk chunk{stream, first_k};
+  const Stream& source = plan.streams[stream];
+  for (std::uint64_t k = first_k; k < end_k; ++k) {
+    chunk.trials.push_back(source.family->make(source.format, plan.seed, k));
+    chunk.truths.push_back(truth_of(chunk.trials.back(), k));
+    chunk.queries.push_back(chunk.trials.back().query);
+  }
+  return chunk;
+}
+
+/// A method that leaves its thread in another environment would spoil every answer after its own, oracles included.
+void require_intact_rounding(const Method& method) {
+  if (has_exact_rounding()) return;
+  require_exact_rounding();
+  throw Failure(Exit::fp_environment,
+                method.name + " changed the floating-point environment of its thread (rounding, or flush to zero)");
+}
+
+void ask_one_by_one(const Method& method, const std::vector<Query>& queries, std::vector<Answer>& answers) {
+  std::ranges::transform(queries, answers.begin(), [&](const Query& query) { return method.ask(query); });
+}
+
+/// In one call where the method has a form for that, of triangles.
+void ask_all(const Method& method, Operands operands, const std::vector<Query>& queries, std::vector<Answer>& answers) {
+  const auto& at_once = method.batch ? method.batch : method.ask_each;
+  if (operands == Operands::polygons || !at_once) return ask_one_by_one(method, queries, answers);
+  std::vector<TrianglePair> pairs(queries.size());
+  std::ranges::transform(queries, pairs.begin(), pair_of);
+  at_once(pairs, answers);
+}
+
+/// The answer, if the method says the same alone; else the fault. Checked where a batch is wrong, and on every 17th
+/// case, as prepared forms are: an odd number, since in many families every other case is a ray.
+Answer held_against_ask(const Method& method, const Query& query, const Answer& answer) {
+  if (is_fault(answer.status)) return answer;
+  require_same_when_prepared(method, query);
+  if (!method.batch || query.operands() == Operands::polygons) return answer;
+  const Answer by_ask = method.ask(query);
+  if (is_fault(by_ask.status)) return by_ask;
+  const bool same = by_ask.status == answer.status && by_ask.hit == answer.hit;
+  return same ? answer : refusal(Status::differs_in_batch);
+}
+
+void judge_chunk(const FuzzPlan& plan, const Chunk& chunk, std::size_t m, Worker& worker) {
+  const Method& method = plan.methods[m];
+  worker.answers.resize(chunk.queries.size());
+  ask_all(method, plan.operands(), chunk.queries, worker.answers);
+  require_intact_rounding(method);
+  for (std::size_t i = 0; i < chunk.trials.size(); ++i) {
+    const auto& trial = chunk.trials[i];
+    const auto& truth = chunk.truths[i];
+    Answer answer = worker.answers[i];
+    if (i % 17 == 0 || judge(method, truth, answer) == Judgement::wrong) {
+      answer = held_against_ask(method, chunk.queries[i], answer);
+    }
+    const Judgement judgement = judge(method, truth, answer);
+    worker.counts.at({m, chunk.stream, trial.level, slot_of(trial, truth)}).add(judgement, answer.stage);
+    if (judgement != Judgement::wrong) continue;
+    ++worker.wrong;
+    keep_first(worker.findings, {m, chunk.stream, chunk.first_k + i, trial, truth, answer});
+  }
+}
+
+/// Cases first ≤ g < end of the plan. Streams take turns: case g is number g / streams of stream g mod streams.
+void run_cases(const FuzzPlan& plan, std::uint64_t first, std::uint64_t end, Worker& worker) {
+  const std::uint64_t n = plan.streams.size();
+  const auto number_below = [n](std::uint64_t g, std::uint64_t stream) { return (g + n - 1 - stream) / n; };
+  for (std::size_t stream = 0; stream < n; ++stream) {
+    const Chunk chunk = make_chunk(plan, stream, number_below(first, stream), number_below(end, stream));
+    for (std::size_t m = 0; m < plan.methods.size(); ++m) {
+      if (takes(plan.methods[m], plan.streams[stream].format)) judge_chunk(plan, chunk, m, worker);
+    }
+  }
+}
+
+std::vector<Finding> in_order(const FirstFindings& kept, std::size_t streams) {
+  std::vector<Finding> findings;
+  for (const auto& [key, finding] : kept) findings.push_back(finding);
+  std::ranges::stable_sort(findings, {}, [&](const auto& f) { return f.k * streams + f.stream; });
+  return findings;
+}
+
+/// Goes on from the report until the plan's end or `stop`, by whole blocks.
+void run_slice(const FuzzPlan& plan, FuzzReport& report, Progress& progress, const std::function<bool()>& stop) {
+  std::vector<Worker> workers(plan.threads, Worker{.counts = empty_report(plan).counts});
+  const std::uint64_t start = report.cases;
+  const auto begin_of = [&](std::size_t block) {
+    return std::min(plan.cases, start + block * block_size_of(plan.operands()));
+  };
+  const auto work = [&](std::size_t block, unsigned w) {
+    const std::uint64_t wrong_before = workers[w].wrong;
+    run_cases(plan, begin_of(block), begin_of(block + 1), workers[w]);
+    progress.add(begin_of(block + 1) - begin_of(block), workers[w].wrong - wrong_before);
+  };
+  const std::uint64_t blocks =
+      (plan.cases - start + block_size_of(plan.operands()) - 1) / block_size_of(plan.operands());
+  report.cases = begin_of(run_blocks(blocks, plan.threads, work, stop));
+  report.run_here += report.cases - start;
+
+  FirstFindings kept;
+  for (const auto& f : report.findings) keep_first(kept, f);
+  for (const Worker& w : workers) {
+    report.counts += w.counts;
+    for (const auto& [key, finding] : w.findings) keep_first(kept, finding);
+  }
+  report.findings = in_order(kept, plan.streams.size());
+}
+
+std::size_t most_levels(const FuzzPlan& plan) {
+  std::size_t most = 1;
+  for (const auto& s : plan.streams) most = std::max(most, s.family->levels(s.format).size());
+  return most;
+}
+
+}  // namespace
+
+FuzzReport empty_report(const FuzzPlan& plan) {
+  const std::size_t levels = most_levels(plan);
+  return {.counts = CountTable(plan.methods.size(), plan.streams.size(), levels, slots_of(plan.operands())),
+          .findings = {}};
+}
+
+FuzzReport fuzz(const FuzzPlan& plan, FuzzReport so_far, const Checkpoint& checkpoint) {
+  constexpr double seconds_between_checkpoints = 60;
+  Progress progress("fuzz", "cases", plan.seconds > 0 ? 0 : plan.cases - so_far.cases);
+  while (!is_complete(plan, so_far)) {
+    const double started = progress.elapsed();
+    const auto stop = [&] {
+      const double now = progress.elapsed();
+      return (plan.seconds > 0 && now > plan.seconds) || (checkpoint && now - started > seconds_between_checkpoints);
+    };
+    run_slice(plan, so_far, progress, stop);
+    so_far.seconds = progress.elapsed();
+    if (checkpoint && !is_complete(plan, so_far)) checkpoint(so_far);
+    if (interrupted() != 0) break;
+  }
+  return so_far;
+}
+
+FuzzReport fuzz(const FuzzPlan& plan) { return fuzz(plan, empty_report(plan), {}); }
+
+std::uint64_t block_size_of(Operands operands) { return operands == Operands::triangles ? 2048 : 256; }
+
+bool is_complete(const FuzzPlan& plan, const FuzzReport& report) {
+  return report.cases == plan.cases || (plan.seconds > 0 && report.seconds > plan.seconds);
+}
+
+std::string name_of(const Stream& s) { return std::string(s.family->name) + " " + std::string(name_of(s.format)); }
+
+std::vector<Stream> streams_of(Operands operands) {
+  std::vector<Stream> streams;
+  for (const Family& family : families_of(operands)) {
+    for (const Format format : {Format::binary64, Format::binary32}) streams.push_back({&family, format});
+  }
+  return streams;
+}
+
+}  // namespace tribunal

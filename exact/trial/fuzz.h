@@ -1,0 +1,76 @@
+// The differential harness: generated cases, asked of every method, judged by the exact answer.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/method.h"
+#include "exact/base/fault.h"
+#include "exact/cases/families/family.h"
+#include "exact/trial/count_table.h"
+
+namespace tribunal {
+
+/// One endless sequence of cases: a family in a format.
+struct Stream {
+  const Family* family;
+  Format format;
+};
+
+struct FuzzPlan {
+  std::vector<Method> methods;
+  std::vector<Stream> streams;  ///< at least one; all with the same operands
+  std::uint64_t seed = 1;
+  std::uint64_t cases = 0;  ///< in all, dealt to the streams in turn
+  double seconds = 0;       ///< if > 0, stop after that time instead; `cases` is then a ceiling
+  unsigned threads = 1;
+
+  Operands operands() const { return streams.front().family->operands; }
+};
+
+/// A wrong answer, with all that is needed to make the case again.
+struct Finding {
+  std::size_t method, stream;
+  std::uint64_t k;  ///< case number within the stream
+  Trial trial;
+  Truth truth;
+  Answer answer;
+  Fault fault{};  ///< what showed when it was asked again (`ask_again`)
+};
+
+struct FuzzReport {
+  std::uint64_t cases = 0;     ///< from the plan's first
+  std::uint64_t run_here = 0;  ///< of these, in this run
+  double seconds = 0;          ///< of this run
+  CountTable counts;
+  std::vector<Finding> findings;  ///< the first of each method × stream × class or outcome × fault, by case
+                                  ///< number
+};
+
+/// Before the first case.
+FuzzReport empty_report(const FuzzPlan& plan);
+
+/// Called with the report so far: every minute, and when a signal has ended the run.
+using Checkpoint = std::function<void(const FuzzReport&)>;
+
+/// Deterministic: the same plan gives the same report (but for `seconds`) whatever the number of threads, and whether
+/// it ran at once or went on from a report of an earlier part of it. With a time limit the number of cases varies, but
+/// not what is said of them. A method with a batch form is asked by it.
+FuzzReport fuzz(const FuzzPlan& plan, FuzzReport so_far, const Checkpoint& checkpoint);
+FuzzReport fuzz(const FuzzPlan& plan);
+
+/// Cases that a thread runs at a time: polygons have slower oracles.
+std::uint64_t block_size_of(Operands operands);
+
+/// Whether all cases of the plan were run, or all its seconds.
+bool is_complete(const FuzzPlan& plan, const FuzzReport& report);
+
+/// "affine binary64".
+std::string name_of(const Stream& s);
+
+/// All families of these operands, in both formats.
+std::vector<Stream> streams_of(Operands operands);
+
+}  // namespace tribunal

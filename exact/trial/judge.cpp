@@ -1,0 +1,63 @@
+#include "exact/trial/judge.h"
+
+#include "exact/classes/class_table.h"
+
+namespace tribunal {
+namespace {
+
+/// What a class says of a case beside its contact.
+Facts facts_in(const ClassRow& row) {
+  Facts f{.of_ray = is_ray_class(row.id), .contact = row.contact()};
+  f.degenerate = row.triangle != "tri" || row.probe == "pt";
+  f.boundary = row.touches.find("/E") != std::string::npos || row.touches.find("/V") != std::string::npos;
+  if (row.intersection == "point") f.at = row.touches.starts_with("int") ? At::between : At::source;
+  return f;
+}
+
+std::array<Facts, all_class_count + 1> facts_of_classes() {
+  std::array<Facts, all_class_count + 1> facts{};
+  for (ClassId id = 1; id <= all_class_count; ++id) facts[id] = facts_in(class_row(id));
+  return facts;
+}
+
+Facts facts_of_triangle(const Truth& truth) {
+  static const auto by_class = facts_of_classes();
+  Facts facts = by_class[truth.class_id];
+  facts.facing = truth.facing;
+  return facts;
+}
+
+}  // namespace
+
+Facts facts_of(const Truth& truth) {
+  if (truth.operands() == Operands::triangles) return facts_of_triangle(truth);
+  return {.of_ray = truth.of_ray,
+          .of_polygon = true,
+          .planar = truth.planar,
+          .contact = truth.contact,
+          .boundary = truth.boundary,
+          .at = truth.at};
+}
+
+Due due(const Contract& contract, const Truth& truth) { return due(contract, facts_of(truth)); }
+
+bool owes_all(const Contract& c, Operands operands) {
+  if (operands == Operands::polygons) return promises_all_polygons(c);
+  return reads_point_sets(c) && c.triangles != Triangles::none;
+}
+
+Answer within_contract(const Method& method, const Truth& truth, const Answer& answer) {
+  if (answer.status != Status::ok || due(method.contract, truth) != Due::nothing) return answer;
+  return refusal(Status::unsupported);
+}
+
+Judgement judge(const Method& method, const Truth& truth, const Answer& answer) {
+  if (is_fault(answer.status)) return Judgement::wrong;
+  if (answer.status != Status::ok) return Judgement::unsupported;
+  const Due owed = due(method.contract, truth);
+  if (owed == Due::nothing) return Judgement::unsupported;
+  if (method.contract.exact && answer.planar != truth.planar) return Judgement::wrong;
+  return judge(owed, answer.hit);
+}
+
+}  // namespace tribunal

@@ -1,0 +1,71 @@
+#include "exact/trial/truth.h"
+
+#include "exact/base/failure.h"
+#include "exact/cases/case_line.h"
+#include "exact/classes/class_table.h"
+#include "exact/methods/cgal_kernels.h"
+#include "exact/trial/truth_rules.h"
+
+namespace tribunal {
+namespace {
+
+/// What the place says of the contact, where it does: corners and edges that the polygon has twice still are met.
+bool fits(const Construction& made, const Truth& truth) {
+  if (!truth.planar || truth.hit() != is_met(made.place)) return false;
+  const bool on_a_line = truth.contact == Contact::coplanar;
+  if (!is_boundary(made.place)) return !truth.hit() || truth.contact == Contact::interior;
+  return on_a_line || truth.contact == (is_vertex(made.place) ? Contact::vertex : Contact::edge);
+}
+
+void require_fit(const Trial& trial, const Truth& truth) {
+  if (trial.class_id != 0 && trial.class_id != truth.class_id) {
+    contradiction(trial.query, "construction says " + class_name(trial.class_id),
+                  "the oracles say " + class_name(truth.class_id));
+  }
+  if (trial.construction && !fits(*trial.construction, truth)) {
+    contradiction(trial.query, "constructed as " + std::string(name_of(trial.construction->place)),
+                  "the oracles say " + std::string(name_of(truth.contact)));
+  }
+}
+
+}  // namespace
+
+void contradiction(const Query& query, const std::string& one, const std::string& other) {
+  throw Failure(Exit::oracles_contradict,
+                "oracles contradict each other: " + one + ", " + other + ", on " + case_line("contradiction", query));
+}
+
+Truth truth_of_class(ClassId id) {
+  return {.class_id = id, .contact = class_row(id).contact(), .of_ray = is_ray_class(id)};
+}
+
+Truth truth_in_class(ClassId id, const Query& query) {
+  Truth truth = truth_of_class(id);
+  truth.facing = facing_in(truth.contact, query, EpickKernel{});
+  return truth;
+}
+
+Truth exact_truth(const Query& query) {
+  return query.operands() == Operands::triangles ? exact_truth_of_triangle(query) : exact_truth_of_polygon(query);
+}
+
+Truth truth_of(const Trial& trial, std::uint64_t k) {
+  if (trial.class_id != 0 && k % 257 != 0) return truth_in_class(trial.class_id, trial.query);
+  const Truth truth = exact_truth(trial.query);
+  require_fit(trial, truth);
+  return truth;
+}
+
+const char* oracle_of(const Family& family) {
+  if (!family.constructs) return oracles_of(family.operands);
+  return family.operands == Operands::triangles
+             ? "construction, 1 case in 257 also by the other oracles"
+             : "construction, rational kernel, point in rings twice, covering surface, Caratheodory";
+}
+
+const char* oracles_of(Operands operands) {
+  return operands == Operands::triangles ? "class table, rational kernel, Caratheodory, CGAL where defined"
+                                         : "rational kernel, point in rings twice, covering surface, Caratheodory";
+}
+
+}  // namespace tribunal

@@ -1,0 +1,28 @@
+// Where the exact answer differs by the operands.
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include "core/due.h"
+#include "exact/trial/truth.h"
+
+namespace tribunal {
+
+/// From which side the probe crosses the triangle, where the contact says that it crosses.
+template <Kernel K>
+Facing facing_in(Contact contact, const Query& query, const K& k) {
+  if (contact == Contact::none || contact == Contact::coplanar) return Facing::unsaid;
+  return std::visit([&](const auto& probe) { return facing(probe, query.triangle(), k); }, query.probe);
+}
+
+/// The target must be a triangle.
+Truth exact_truth_of_triangle(const Query& query);
+
+/// The target must be a polygon.
+Truth exact_truth_of_polygon(const Query& query);
+
+/// Ends the run with both witnesses and the query.
+[[noreturn]] void contradiction(const Query& query, const std::string& one, const std::string& other);
+
+}  // namespace tribunal
