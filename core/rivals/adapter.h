@@ -17,7 +17,7 @@
 #include "core/method.h"
 #include "core/rivals/rival.h"
 
-namespace tribunal {
+namespace tribunal::published {
 
 template <class R>
 concept PreparesRays = requires {
@@ -171,4 +171,4 @@ Method rival_method() {
   return m;
 }
 
-}  // namespace tribunal
+}  // namespace tribunal::published

@@ -6,7 +6,7 @@
 
 #include "core/rivals/rival.h"
 
-namespace tribunal {
+namespace tribunal::published {
 
 template <class N>
 struct Arenberg {
@@ -40,4 +40,4 @@ struct Arenberg {
   }
 };
 
-}  // namespace tribunal
+}  // namespace tribunal::published

@@ -6,7 +6,7 @@
 
 #include "core/rivals/rival.h"
 
-namespace tribunal {
+namespace tribunal::published {
 
 template <class N>
 struct Badouel {
@@ -51,4 +51,4 @@ struct Badouel {
   }
 };
 
-}  // namespace tribunal
+}  // namespace tribunal::published

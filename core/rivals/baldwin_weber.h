@@ -6,7 +6,7 @@
 
 #include "core/rivals/rival.h"
 
-namespace tribunal {
+namespace tribunal::published {
 
 template <class N>
 struct BaldwinWeber {
@@ -52,4 +52,4 @@ struct BaldwinWeber {
   }
 };
 
-}  // namespace tribunal
+}  // namespace tribunal::published

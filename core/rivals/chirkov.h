@@ -7,7 +7,7 @@
 
 #include "core/rivals/rival.h"
 
-namespace tribunal {
+namespace tribunal::published {
 
 namespace chirkov_detail {
 
@@ -97,4 +97,4 @@ struct ChirkovPrepared {
   }
 };
 
-}  // namespace tribunal
+}  // namespace tribunal::published

@@ -7,7 +7,7 @@
 
 #include "core/rivals/rival.h"
 
-namespace tribunal {
+namespace tribunal::published {
 
 template <class N>
 struct EmbreePluecker {
@@ -27,7 +27,7 @@ struct EmbreePluecker {
     const N den = 2 * dot(normal, d);
     const N num = 2 * dot(v0, normal);
     const N ahead = sign_bit(den) ? N(-num) : num;
-    if (!(ahead >= 0 && magnitude(den) * t_max >= ahead) || den == 0) return std::nullopt;
+    if (!(ahead >= 0 && absolute(den) * t_max >= ahead) || den == 0) return std::nullopt;
     const N inverse = 1 / den;
     return RivalHit<N>{num * inverse, Weights<N>{u * inverse, v * inverse}};
   }
@@ -39,7 +39,7 @@ struct EmbreePluecker {
 
   /// One coordinate of a × b or of b × c, equal since a + b + c = 0: that whose subtrahend is smaller.
   static N stabler(const N& minuend_ab, const N& ab, const N& minuend_bc, const N& bc) {
-    return magnitude(ab) < magnitude(bc) ? N(minuend_ab - ab) : N(minuend_bc - bc);
+    return absolute(ab) < absolute(bc) ? N(minuend_ab - ab) : N(minuend_bc - bc);
   }
 
   static Vec3<N> stable_normal(const Vec3<N>& a, const Vec3<N>& b, const Vec3<N>& c) {
@@ -48,4 +48,4 @@ struct EmbreePluecker {
   }
 };
 
-}  // namespace tribunal
+}  // namespace tribunal::published

@@ -7,7 +7,7 @@
 #include "core/rivals/order.h"
 #include "core/rivals/pluecker.h"
 
-namespace tribunal {
+namespace tribunal::published {
 
 template <class N>
 struct FixedEdges {
@@ -32,4 +32,4 @@ struct FixedEdges {
   }
 };
 
-}  // namespace tribunal
+}  // namespace tribunal::published

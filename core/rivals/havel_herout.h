@@ -6,7 +6,7 @@
 
 #include "core/rivals/rival.h"
 
-namespace tribunal {
+namespace tribunal::published {
 
 template <class N>
 struct HavelHerout {
@@ -53,4 +53,4 @@ struct HavelHerout {
   }
 };
 
-}  // namespace tribunal
+}  // namespace tribunal::published

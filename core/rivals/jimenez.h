@@ -7,7 +7,7 @@
 
 #include "core/rivals/rival.h"
 
-namespace tribunal {
+namespace tribunal::published {
 
 template <class N>
 struct Jimenez {
@@ -44,4 +44,4 @@ struct Jimenez {
   }
 };
 
-}  // namespace tribunal
+}  // namespace tribunal::published

@@ -5,7 +5,7 @@
 
 #include "core/rivals/rival.h"
 
-namespace tribunal {
+namespace tribunal::published {
 
 template <class N>
 struct KenslerShirley {
@@ -29,4 +29,4 @@ struct KenslerShirley {
   }
 };
 
-}  // namespace tribunal
+}  // namespace tribunal::published

@@ -5,7 +5,7 @@
 
 #include "core/rivals/rival.h"
 
-namespace tribunal {
+namespace tribunal::published {
 
 /// The two-sided branch with 0 in place of its tolerance on the determinant: a line parallel to the plane (determinant
 /// exactly 0 in N) meets nothing.
@@ -81,4 +81,4 @@ struct MoellerTrumboreCulling : MoellerTrumbore<N> {
   }
 };
 
-}  // namespace tribunal
+}  // namespace tribunal::published

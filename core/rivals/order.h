@@ -3,7 +3,7 @@
 
 #include "core/vec3.h"
 
-namespace tribunal {
+namespace tribunal::published {
 
 template <class N>
 bool precedes(const Vec3<N>& a, const Vec3<N>& b) {
@@ -12,4 +12,4 @@ bool precedes(const Vec3<N>& a, const Vec3<N>& b) {
   return a.z < b.z;
 }
 
-}  // namespace tribunal
+}  // namespace tribunal::published

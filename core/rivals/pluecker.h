@@ -7,7 +7,7 @@
 
 #include "core/rivals/rival.h"
 
-namespace tribunal {
+namespace tribunal::published {
 
 /// Whether no two of the three have opposite signs.
 template <class N>
@@ -83,4 +83,4 @@ struct TripleProducts {
   }
 };
 
-}  // namespace tribunal
+}  // namespace tribunal::published

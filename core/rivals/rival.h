@@ -10,7 +10,7 @@
 #include "core/operands.h"
 #include "core/products.h"
 
-namespace tribunal {
+namespace tribunal::published {
 
 /// The weights of b and c in the point (1 − b − c)·a + b·b + c·c of a triangle a b c.
 template <class N>
@@ -50,7 +50,7 @@ Plane<N> plane_of(const Corners<N>& t) {
 }
 
 template <class N>
-N magnitude(const N& x) {
+N absolute(const N& x) {
   if (x < 0) return -x;
   return x;
 }
@@ -69,7 +69,7 @@ bool sign_bit(const N& x) {
 /// The axis on which v is longest; the first of equals.
 template <class N>
 Axis longest(const Vec3<N>& v) {
-  const N x = magnitude(v.x), y = magnitude(v.y), z = magnitude(v.z);
+  const N x = absolute(v.x), y = absolute(v.y), z = absolute(v.z);
   if (x >= y && x >= z) return Axis::x;
   return y >= z ? Axis::y : Axis::z;
 }
@@ -92,4 +92,4 @@ struct RivalCard {
   const char* reference;
 };
 
-}  // namespace tribunal
+}  // namespace tribunal::published

@@ -5,7 +5,7 @@
 
 #include "core/rivals/rival.h"
 
-namespace tribunal {
+namespace tribunal::published {
 
 template <class N>
 struct Shevtsov {
@@ -49,4 +49,4 @@ struct Shevtsov {
   }
 };
 
-}  // namespace tribunal
+}  // namespace tribunal::published

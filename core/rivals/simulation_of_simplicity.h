@@ -12,7 +12,7 @@
 #include "core/rivals/rival.h"
 #include "core/sign.h"
 
-namespace tribunal {
+namespace tribunal::published {
 
 namespace simplicity {
 
@@ -156,4 +156,4 @@ struct SimulationOfSimplicity {
   }
 };
 
-}  // namespace tribunal
+}  // namespace tribunal::published

@@ -6,7 +6,7 @@
 
 #include "core/rivals/rival.h"
 
-namespace tribunal {
+namespace tribunal::published {
 
 template <class N>
 struct Wald {
@@ -50,4 +50,4 @@ struct Wald {
   }
 };
 
-}  // namespace tribunal
+}  // namespace tribunal::published

@@ -8,7 +8,7 @@
 
 #include "core/rivals/rival.h"
 
-namespace tribunal {
+namespace tribunal::published {
 
 template <class N>
 struct Woop {
@@ -49,7 +49,7 @@ struct Woop {
                   w * (r.scale_z * coordinate(c, r.z));
     const bool flipped = sign_bit(det);
     const N ahead = flipped ? N(-num) : num;
-    if (ahead < 0 || ahead > t_max * magnitude(det)) return std::nullopt;
+    if (ahead < 0 || ahead > t_max * absolute(det)) return std::nullopt;
     const N inverse = 1 / det;
     return RivalHit<N>{num * inverse, Weights<N>{v * inverse, w * inverse}};
   }
@@ -71,4 +71,4 @@ struct Woop {
   }
 };
 
-}  // namespace tribunal
+}  // namespace tribunal::published

@@ -9,8 +9,8 @@ namespace tribunal {
 /// The rival on float or double, without its name; its exact twin is the same template on exact numbers.
 template <template <class> class Rival, class N>
 Method rival() {
-  Method m = rival_method<Rival<N>>();
-  m.exact_twin = answer_to<Rival<ExtendedRational>>;
+  Method m = published::rival_method<Rival<N>>();
+  m.exact_twin = published::answer_to<Rival<ExtendedRational>>;
   return m;
 }
 

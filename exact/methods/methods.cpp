@@ -51,6 +51,7 @@ Shelf rivals(const char* name) {
 }
 
 const std::vector<Shelf>& shelf() {
+  using namespace published;
   static const std::vector<Shelf> table = {
       rivals<MoellerTrumbore>("mt"),
       rivals<MoellerTrumborePrinted>("mt-eps"),

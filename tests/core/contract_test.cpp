@@ -158,7 +158,7 @@ TEST(Due, FacingIsTheSideOfTheSource) {
 }
 
 TEST(Capabilities, AreWhatTheMethodHas) {
-  Method m = rival_method<MoellerTrumbore<double>>();
+  Method m = published::rival_method<published::MoellerTrumbore<double>>();
   EXPECT_TRUE(has(m, Capability::order) && has(m, Capability::parameter) && has(m, Capability::weights));
   for (const Capability c :
        {Capability::contact, Capability::class_id, Capability::batch, Capability::prepared_triangle,
@@ -177,8 +177,10 @@ TEST(Capabilities, AreWhatTheMethodHas) {
 
 TEST(Capabilities, MoellerTrumboreYieldsItsParameter) {
   const Triangle t{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
-  EXPECT_EQ(rival_method<MoellerTrumbore<double>>().parameter(Ray{{1, 1, 3}, {{0, 0, -2}}}, t), 1.5);
-  EXPECT_EQ(rival_method<MoellerTrumbore<float>>().parameter(Ray{{9, 9, 3}, {{0, 0, -2}}}, t), std::nullopt);
+  EXPECT_EQ(published::rival_method<published::MoellerTrumbore<double>>().parameter(Ray{{1, 1, 3}, {{0, 0, -2}}}, t),
+            1.5);
+  EXPECT_EQ(published::rival_method<published::MoellerTrumbore<float>>().parameter(Ray{{9, 9, 3}, {{0, 0, -2}}}, t),
+            std::nullopt);
 }
 
 }  // namespace

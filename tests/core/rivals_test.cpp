@@ -12,6 +12,8 @@
 namespace tribunal {
 namespace {
 
+using namespace published;
+
 const Triangle t{{0, 0, 0}, {8, 0, 0}, {0, 4, 0}};
 
 /// Through the point with weights 1/4 of b and 1/2 of c, at a quarter of the way.

@@ -99,12 +99,14 @@ TEST(HitOrder, ComparesParameters) {
 }
 
 TEST(MoellerTrumbore, AgreesOnTransversalContacts) {
-  EXPECT_EQ(meet<MoellerTrumbore<double>>(Segment{{1, 1, 1}, {1, 1, -1}}, t)->t, 0.5);
-  EXPECT_EQ(meet<MoellerTrumbore<float>>(Ray{{1, 1, 5}, {{0, 0, -1}}}, t)->t, 5.0F);
-  EXPECT_TRUE(meet<MoellerTrumbore<double>>(Segment{{4, 0, 1}, {4, 0, -1}}, t)) << "closed at the boundary";
-  EXPECT_FALSE(meet<MoellerTrumbore<double>>(Segment{{1, 1, 0}, {2, 1, 0}}, t)) << "coplanar is a miss";
-  EXPECT_FALSE(meet<MoellerTrumbore<double>>(Segment{{1, 1, 3}, {1, 1, 1}}, t)) << "stops short";
-  EXPECT_FALSE(meet<MoellerTrumbore<double>>(Ray{{1, 1, -1}, {{0, 0, -1}}}, t)) << "behind";
+  EXPECT_EQ(published::meet<published::MoellerTrumbore<double>>(Segment{{1, 1, 1}, {1, 1, -1}}, t)->t, 0.5);
+  EXPECT_EQ(published::meet<published::MoellerTrumbore<float>>(Ray{{1, 1, 5}, {{0, 0, -1}}}, t)->t, 5.0F);
+  EXPECT_TRUE(published::meet<published::MoellerTrumbore<double>>(Segment{{4, 0, 1}, {4, 0, -1}}, t))
+      << "closed at the boundary";
+  EXPECT_FALSE(published::meet<published::MoellerTrumbore<double>>(Segment{{1, 1, 0}, {2, 1, 0}}, t))
+      << "coplanar is a miss";
+  EXPECT_FALSE(published::meet<published::MoellerTrumbore<double>>(Segment{{1, 1, 3}, {1, 1, 1}}, t)) << "stops short";
+  EXPECT_FALSE(published::meet<published::MoellerTrumbore<double>>(Ray{{1, 1, -1}, {{0, 0, -1}}}, t)) << "behind";
 }
 
 }  // namespace

@@ -8,6 +8,8 @@
 namespace tribunal::planted {
 namespace {
 
+using namespace published;
+
 /// Chirkov's variant without stored data as its published code has it: |n_x| and |n_y| are compared with 0.57735 times
 /// the square of the normal's length, where 0.57735 times the length is meant. So where the normal is longer than √3,
 /// an axis that it lies along may not be dropped, and the triangle is projected to a line.
@@ -19,8 +21,8 @@ struct ChirkovWithoutRoot {
 
   static Axis axis_of(const Vec3<N>& normal) {
     const N bound = dot(normal, normal) * static_cast<N>(0.57735);
-    if (magnitude(normal.x) > bound) return Axis::x;
-    return magnitude(normal.y) > bound ? Axis::y : Axis::z;
+    if (absolute(normal.x) > bound) return Axis::x;
+    return absolute(normal.y) > bound ? Axis::y : Axis::z;
   }
 
   static std::optional<RivalHit<N>> meet_segment(const Vec3<N>& p, const Vec3<N>& q, const Prepared& t) {
