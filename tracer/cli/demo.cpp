@@ -130,17 +130,10 @@ void run_render(Runner& runner, const Options& o) {
   }
 }
 
-/// One rival stands for the shelf: a chart of all of them takes minutes.
-constexpr const char* charted =
-    "sf-float,sf-double,sf-double-eps,sf-filtered,sf-epick,sf-epeck,sf-rational,mt-float,mt-double,"
-    "haines-float,haines-double,feito-float,feito-double,cgal-epick,cgal-epeck";
-
 void run_chart(Runner& runner, const Options& o) {
   runner.announce(4, "chart: speed against accuracy");
   runner.run(
-      {"chart",
-       declare_chart,
-       {"--method", charted, "--threads", std::to_string(o.threads), "--out", o.out + "/" + demo_files::charts}});
+      {"chart", declare_chart, {"--threads", std::to_string(o.threads), "--out", o.out + "/" + demo_files::charts}});
 }
 
 /// The plainest counterexample, in a file of its own, and what replay says of it.
