@@ -12,7 +12,7 @@ template <class N>
 struct Wald {
   using Number = N;
   static constexpr RivalCard card{"stored projection (TriAccel), two coordinates linear in the hit", "Wald 2004"};
-  static constexpr Contract contract{.triangles = Triangles::proper, .convention = Convention::transversal};
+  static constexpr Contract contract{.convention = Convention::transversal};
 
   /// u·x + v·y + d of a projected point (x, y).
   struct Linear {
