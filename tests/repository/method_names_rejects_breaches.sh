@@ -7,7 +7,7 @@ trap 'rm -rf "$scratch"' EXIT
 
 sound_tree() {
   rm -rf "$scratch/tree"
-  mkdir -p "$scratch"/tree/{core,exact/cli,tracer/cli,tests}
+  mkdir -p "$scratch"/tree/{core,exact/cli,exact/methods,tracer/cli,tests}
   cd "$scratch/tree"
   {
     echo 'const std::vector<Row> table = {'
