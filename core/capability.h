@@ -18,7 +18,9 @@ enum class Capability : std::uint8_t {
   prepared_triangle,  ///< prepares a triangle
   prepared_polygon,   ///< prepares a polygon
   prepared_ray,       ///< prepares a ray
-  tree_lanes          ///< has its filter on the tree's vector lanes
+  tree_lanes,         ///< has its filter on the tree's vector lanes
+  weights,            ///< yields the barycentric weights of a hit with its parameter, where it computes them
+  exact_twin          ///< is there without rounding too
 };
 
 inline constexpr std::array all_capabilities = {Capability::contact,
@@ -29,19 +31,22 @@ inline constexpr std::array all_capabilities = {Capability::contact,
                                                 Capability::prepared_triangle,
                                                 Capability::prepared_polygon,
                                                 Capability::prepared_ray,
-                                                Capability::tree_lanes};
+                                                Capability::tree_lanes,
+                                                Capability::weights,
+                                                Capability::exact_twin};
 
 constexpr std::string_view name_of(Capability c) {
   constexpr std::string_view names[] = {
-      "contact",          "order",        "parameter", "class", "batch", "prepared triangle",
-      "prepared polygon", "prepared ray", "lanes"};
+      "contact",          "order",        "parameter", "class",   "batch",     "prepared triangle",
+      "prepared polygon", "prepared ray", "lanes",     "weights", "exact twin"};
   return names[static_cast<int>(c)];
 }
 
 inline bool has(const Method& m, Capability c) {
   const bool held[] = {m.tells_contact,       m.compare_hits != nullptr, m.parameter != nullptr,
                        m.classify != nullptr, m.batch != nullptr,        m.prepare_triangle != nullptr,
-                       m.polygon != nullptr,  m.prepare_ray != nullptr,  m.on_tree_lanes};
+                       m.polygon != nullptr,  m.prepare_ray != nullptr,  m.on_tree_lanes,
+                       m.hit != nullptr,      m.exact_twin != nullptr};
   return held[static_cast<std::size_t>(c)];
 }
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/covering.h"
-#include "core/moeller_trumbore.h"
+#include "core/products.h"
 
 namespace tribunal {
 

@@ -31,6 +31,17 @@ struct PreparedTriangle {
 /// A method's answers about one ray, which it has prepared.
 using PreparedRay = std::function<Answer(const Triangle&)>;
 
+/// The weights of the vertices b and c in a point of a triangle a b c; that of a is what they leave of 1.
+struct BarycentricWeights {
+  double b = 0, c = 0;
+};
+
+/// Where a ray o + t·d hits a triangle, as a method computes it; without weights if it computes none.
+struct HitAt {
+  double t = 0;
+  std::optional<BarycentricWeights> weights{};
+};
+
 /// What people want to know of a method. Code reads the contract.
 struct Card {
   std::string number{};     ///< number type, e.g. "binary64", "GMP dyadic"
@@ -58,6 +69,12 @@ struct Method {
   /// The parameter t of the point o + t·d where the ray hits the triangle, as the method computes it: nothing where it
   /// reports no hit, or a hit of many points. Empty if the method yields none.
   std::function<std::optional<double>(const Ray&, const Triangle&)> parameter{};
+  /// The same with the weights of the vertices; nothing where the method reports no hit. What it computes need not be
+  /// finite. Empty if the method yields no such point.
+  std::function<std::optional<HitAt>(const Ray&, const Triangle&)> hit{};
+  /// The same test on exact numbers: what it answers to a query if no operation rounds. A wrong answer that the twin
+  /// gives too is a fault of logic; one that it does not give is rounding. Empty if the method is exact, or has none.
+  std::function<Answer(const Query&)> exact_twin{};
 
   /// Answers about many pairs at once, one each, as `ask` would give them; empty if the method has no batch form.
   /// The operands are finite.

@@ -44,16 +44,6 @@ Vec3<N> arm(const Vec3<N>&, const Direction& d) {
   return lift<N>(d.v);
 }
 
-template <class N>
-N dot(const Vec3<N>& a, const Vec3<N>& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-template <class N>
-Vec3<N> cross(const Vec3<N>& a, const Vec3<N>& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
 /// The vector with one coordinate dropped, the other two in cyclic order: x → (y,z), y → (z,x), z → (x,y).
 template <class N>
 struct Vec2 {

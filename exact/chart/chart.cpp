@@ -106,13 +106,13 @@ std::string to_table(const ChartPlan& plan, const Chart& chart) {
   for (std::size_t p = 0; p < all_populations().size(); ++p) {
     const Population& population = all_populations()[p];
     text += std::string(population.title) + ": " + std::string(population.about) + "\n";
-    std::snprintf(line, sizeof line, "  %-14s %8s %18s %20s %8s\n", "method", "ns/test", "quartiles", "wrong",
+    std::snprintf(line, sizeof line, "  %-22s %8s %18s %20s %8s\n", "method", "ns/test", "quartiles", "wrong",
                   "refused");
     text += line;
     for (std::size_t m = 0; m < plan.methods.size(); ++m) {
       const ChartRow* row = drawn_row(chart, m, p);
       if (row == nullptr) continue;
-      std::snprintf(line, sizeof line, "  %-14s", plan.methods[m].name.c_str());
+      std::snprintf(line, sizeof line, "  %-22s", plan.methods[m].name.c_str());
       text += line + cells_of(*row) + "\n";
     }
     text += "\n";

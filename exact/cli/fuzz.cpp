@@ -77,7 +77,7 @@ std::string table(const FuzzPlan& plan, const FuzzReport& report, bool levels) {
   const int width = plan.operands() == Operands::triangles ? 9 : 17;
   std::string text;
   char line[200];
-  std::snprintf(line, sizeof line, "%-14s %-*s %-9s %6s %12s %10s  %s\n", "method", width, "family", "format",
+  std::snprintf(line, sizeof line, "%-22s %-*s %-9s %6s %12s %10s  %s\n", "method", width, "family", "format",
                 levels ? "level" : "", "judged", "wrong", "share");
   text += line;
   for (const auto& [row, count] : rows_of(report, levels)) {
@@ -86,7 +86,7 @@ std::string table(const FuzzPlan& plan, const FuzzReport& report, bool levels) {
     const double share =
         count.judged() == 0 ? 0 : static_cast<double>(count.wrong) / static_cast<double>(count.judged());
     std::snprintf(
-        line, sizeof line, "%-14s %-*s %-9s %6s %12llu %10llu  %.4f %%\n", plan.methods[row.method].name.c_str(), width,
+        line, sizeof line, "%-22s %-*s %-9s %6s %12llu %10llu  %.4f %%\n", plan.methods[row.method].name.c_str(), width,
         std::string(s.family->name).c_str(), std::string(name_of(s.format)).c_str(), level.c_str(),
         static_cast<unsigned long long>(count.judged()), static_cast<unsigned long long>(count.wrong), 100 * share);
     text += line;

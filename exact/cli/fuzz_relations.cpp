@@ -19,12 +19,12 @@ double share(const RelationCount& c) {
 std::string table(const FuzzPlan& plan, const std::vector<RelationCount>& counts) {
   std::string text;
   char line[240];
-  std::snprintf(line, sizeof line, "%-14s %-16s %10s %10s  %-10s %s\n", "method", "relation", "asked", "broken",
+  std::snprintf(line, sizeof line, "%-22s %-16s %10s %10s  %-10s %s\n", "method", "relation", "asked", "broken",
                 "share", "what must hold");
   text += line;
   for (const RelationCount& c : counts) {
     const auto& relation = relations_of(plan.operands())[c.relation];
-    std::snprintf(line, sizeof line, "%-14s %-16s %10llu %10llu  %-8.4f %% %s\n", plan.methods[c.method].name.c_str(),
+    std::snprintf(line, sizeof line, "%-22s %-16s %10llu %10llu  %-8.4f %% %s\n", plan.methods[c.method].name.c_str(),
                   std::string(relation.name).c_str(), static_cast<unsigned long long>(c.asked),
                   static_cast<unsigned long long>(c.broken), 100 * share(c), std::string(relation.statement).c_str());
     text += line;

@@ -16,18 +16,18 @@ namespace {
 std::string table() {
   std::string text;
   char line[400];
-  std::snprintf(line, sizeof line, "%-14s %-27s %-45s %-12s %s\n", "method", "number type", "contract", "convention",
-                "what it does (reference)");
+  constexpr const char* row = "%-22s %-27s %-67s %-12s %s (%s)\n";
+  std::snprintf(line, sizeof line, row, "method", "number type", "contract", "convention", "what it does", "reference");
   text += line;
   for (const Method& m : all_methods()) {
-    std::snprintf(line, sizeof line, "%-14s %-27s %-45s %-12s %s (%s)\n", m.name.c_str(), m.card.number.c_str(),
-                  in_words(m.contract).c_str(), std::string(name_of(m.contract.convention)).c_str(),
-                  m.card.summary.c_str(), m.card.reference.c_str());
+    std::snprintf(line, sizeof line, row, m.name.c_str(), m.card.number.c_str(), in_words(m.contract).c_str(),
+                  std::string(name_of(m.contract.convention)).c_str(), m.card.summary.c_str(),
+                  m.card.reference.c_str());
     text += line;
   }
   return text +
          "\nclosed: a hit iff the point sets meet. transversal: the same, but a probe in the triangle's plane is a "
-         "miss.\n";
+         "miss. unspecified: nothing is promised of such a probe that meets the triangle.\n";
 }
 
 template <class Values>

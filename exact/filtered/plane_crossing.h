@@ -6,7 +6,7 @@
 #include <type_traits>
 
 #include "core/operands.h"
-#include "core/vec3.h"
+#include "core/products.h"
 #include "exact/filtered/twin.h"
 
 namespace tribunal::detail {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/operands.h"
-#include "core/signed_volume.h"
+#include "core/products.h"
 #include "exact/filtered/filter_bounds.h"
 #include "exact/filtered/twin.h"
 

@@ -6,8 +6,23 @@
 #include <utility>
 
 #include "core/polygon_rivals.h"
-#include "core/rivals.h"
+#include "core/rivals/arenberg.h"
+#include "core/rivals/badouel.h"
+#include "core/rivals/baldwin_weber.h"
+#include "core/rivals/chirkov.h"
+#include "core/rivals/embree_pluecker.h"
+#include "core/rivals/fixed_edges.h"
+#include "core/rivals/havel_herout.h"
+#include "core/rivals/jimenez.h"
+#include "core/rivals/kensler_shirley.h"
+#include "core/rivals/moeller_trumbore.h"
+#include "core/rivals/pluecker.h"
+#include "core/rivals/shevtsov.h"
+#include "core/rivals/simulation_of_simplicity.h"
+#include "core/rivals/wald.h"
+#include "core/rivals/woop.h"
 #include "exact/base/failure.h"
+#include "exact/kernels/rivals.h"
 #include "exact/methods/exact_methods.h"
 #include "exact/methods/filtered_method.h"
 #include "exact/methods/naive.h"
@@ -18,13 +33,51 @@ namespace {
 
 /// A method's name stands here and nowhere else in the program.
 struct Row {
-  const char* name;
+  std::string name;
   Method (*make)();
   std::vector<Role> roles{};
 };
 
-const std::vector<Row>& rows() {
-  static const std::vector<Row> table = {
+/// A rival of the shelf on both formats: `name`-float and `name`-double.
+struct Shelf {
+  const char* name;
+  Method (*in_float)();
+  Method (*in_double)();
+};
+
+template <template <class> class Rival>
+Shelf rivals(const char* name) {
+  return {name, rival<Rival, float>, rival<Rival, double>};
+}
+
+const std::vector<Shelf>& shelf() {
+  using namespace published;
+  static const std::vector<Shelf> table = {
+      rivals<MoellerTrumbore>("mt"),
+      rivals<MoellerTrumborePrinted>("mt-eps"),
+      rivals<MoellerTrumboreCulling>("mt-cull"),
+      rivals<Arenberg>("arenberg"),
+      rivals<Badouel>("badouel"),
+      rivals<Pluecker>("pluecker"),
+      rivals<TripleProducts>("triple"),
+      rivals<Wald>("wald"),
+      rivals<ChirkovUnprepared>("chirkov2"),
+      rivals<ChirkovPrepared>("chirkov3"),
+      rivals<KenslerShirley>("kensler-shirley"),
+      rivals<Shevtsov>("shevtsov"),
+      rivals<HavelHerout>("havel-herout"),
+      rivals<Jimenez>("jimenez"),
+      rivals<Woop>("woop"),
+      rivals<EmbreePluecker>("embree"),
+      rivals<BaldwinWeber>("baldwin-weber"),
+      rivals<FixedEdges>("edges"),
+      rivals<SimulationOfSimplicity>("sos"),
+  };
+  return table;
+}
+
+std::vector<Row> all_rows() {
+  std::vector<Row> table = {
       {"sf-float", sf_float, {Role::calibration}},
       {"sf-double", sf_double, {Role::calibration}},
       {"sf-double-eps", sf_double_eps},
@@ -32,8 +85,12 @@ const std::vector<Row>& rows() {
       {"sf-epick", sf_epick, {Role::generator}},
       {"sf-epeck", sf_epeck},
       {"sf-rational", sf_rational, {Role::reference}},
-      {"mt-float", moeller_trumbore_float},
-      {"mt-double", moeller_trumbore_double},
+  };
+  for (const Shelf& s : shelf()) {
+    table.push_back({std::string(s.name) + "-float", s.in_float});
+    table.push_back({std::string(s.name) + "-double", s.in_double});
+  }
+  const std::vector<Row> others = {
       {"haines-float", haines_float},
       {"haines-double", haines_double},
       {"feito-float", feito_float},
@@ -41,6 +98,12 @@ const std::vector<Row>& rows() {
       {"cgal-epick", cgal_epick, {Role::second_opinion}},
       {"cgal-epeck", cgal_epeck},
   };
+  table.insert(table.end(), others.begin(), others.end());
+  return table;
+}
+
+const std::vector<Row>& rows() {
+  static const std::vector<Row> table = all_rows();
   return table;
 }
 

@@ -1,20 +1,31 @@
 #include "exact/methods/naive.h"
 
 #include "core/tolerance_kernel.h"
+#include "exact/methods/exact_methods.h"
 #include "exact/methods/segura_feito_method.h"
 
 namespace tribunal {
+namespace {
+
+/// Five signs without rounding are the reference.
+Method with_exact_twin(Method m) {
+  const Method twin = sf_rational();
+  m.exact_twin = [twin](const Query& query) { return twin.ask(query); };
+  return m;
+}
+
+}  // namespace
 
 Method sf_float() {
-  return segura_feito_method(
+  return with_exact_twin(segura_feito_method(
       {.number = "binary32", .summary = "five signs in single precision", .format = Format::binary32, .exact = false},
-      FormulaKernel<float>{});
+      FormulaKernel<float>{}));
 }
 
 Method sf_double() {
-  return segura_feito_method(
+  return with_exact_twin(segura_feito_method(
       {.number = "binary64", .summary = "five signs in double precision", .format = Format::binary64, .exact = false},
-      FormulaKernel<double>{});
+      FormulaKernel<double>{}));
 }
 
 Method sf_double_eps() {

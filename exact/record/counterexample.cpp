@@ -91,7 +91,7 @@ Case with_shrunk_finding(Case c, const Method& method, Status before = Status::o
 
 std::string row(const std::string& a, const std::string& b, const std::string& c, const std::string& d) {
   char line[160];
-  std::snprintf(line, sizeof line, "  %-14s %-8s %-10s %s\n", a.c_str(), b.c_str(), c.c_str(), d.c_str());
+  std::snprintf(line, sizeof line, "  %-22s %-8s %-10s %s\n", a.c_str(), b.c_str(), c.c_str(), d.c_str());
   return line;
 }
 

@@ -8,7 +8,8 @@
 
 #include "core/capability.h"
 #include "core/due.h"
-#include "core/rivals.h"
+#include "core/rivals/adapter.h"
+#include "core/rivals/moeller_trumbore.h"
 
 namespace tribunal {
 namespace {
@@ -157,26 +158,29 @@ TEST(Due, FacingIsTheSideOfTheSource) {
 }
 
 TEST(Capabilities, AreWhatTheMethodHas) {
-  Method m = moeller_trumbore_double();
-  EXPECT_TRUE(has(m, Capability::order) && has(m, Capability::parameter));
+  Method m = published::rival_method<published::MoellerTrumbore<double>>();
+  EXPECT_TRUE(has(m, Capability::order) && has(m, Capability::parameter) && has(m, Capability::weights));
   for (const Capability c :
        {Capability::contact, Capability::class_id, Capability::batch, Capability::prepared_triangle,
-        Capability::prepared_polygon, Capability::prepared_ray, Capability::tree_lanes}) {
+        Capability::prepared_polygon, Capability::prepared_ray, Capability::tree_lanes, Capability::exact_twin}) {
     EXPECT_FALSE(has(m, c)) << name_of(c);
   }
   m.prepare_ray = [](const Ray&) -> PreparedRay { return {}; };
   m.prepare_triangle = [](const Triangle&) -> PreparedTriangle { return {}; };
+  m.exact_twin = [](const Query&) { return miss(); };
   m.on_tree_lanes = m.tells_contact = true;
-  for (const Capability c :
-       {Capability::contact, Capability::prepared_triangle, Capability::prepared_ray, Capability::tree_lanes}) {
+  for (const Capability c : {Capability::contact, Capability::prepared_triangle, Capability::prepared_ray,
+                             Capability::tree_lanes, Capability::exact_twin}) {
     EXPECT_TRUE(has(m, c)) << name_of(c);
   }
 }
 
 TEST(Capabilities, MoellerTrumboreYieldsItsParameter) {
   const Triangle t{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
-  EXPECT_EQ(moeller_trumbore_double().parameter(Ray{{1, 1, 3}, {{0, 0, -2}}}, t), 1.5);
-  EXPECT_EQ(moeller_trumbore_float().parameter(Ray{{9, 9, 3}, {{0, 0, -2}}}, t), std::nullopt);
+  EXPECT_EQ(published::rival_method<published::MoellerTrumbore<double>>().parameter(Ray{{1, 1, 3}, {{0, 0, -2}}}, t),
+            1.5);
+  EXPECT_EQ(published::rival_method<published::MoellerTrumbore<float>>().parameter(Ray{{9, 9, 3}, {{0, 0, -2}}}, t),
+            std::nullopt);
 }
 
 }  // namespace

@@ -3,7 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/moeller_trumbore.h"
+#include "core/rivals/adapter.h"
+#include "core/rivals/moeller_trumbore.h"
 
 namespace tribunal {
 namespace {
@@ -98,12 +99,14 @@ TEST(HitOrder, ComparesParameters) {
 }
 
 TEST(MoellerTrumbore, AgreesOnTransversalContacts) {
-  EXPECT_EQ(moeller_trumbore<double>(Segment{{1, 1, 1}, {1, 1, -1}}, t), 0.5);
-  EXPECT_EQ(moeller_trumbore<float>(Ray{{1, 1, 5}, {{0, 0, -1}}}, t), 5.0F);
-  EXPECT_TRUE(moeller_trumbore<double>(Segment{{4, 0, 1}, {4, 0, -1}}, t)) << "closed at the boundary";
-  EXPECT_FALSE(moeller_trumbore<double>(Segment{{1, 1, 0}, {2, 1, 0}}, t)) << "coplanar is a miss";
-  EXPECT_FALSE(moeller_trumbore<double>(Segment{{1, 1, 3}, {1, 1, 1}}, t)) << "stops short";
-  EXPECT_FALSE(moeller_trumbore<double>(Ray{{1, 1, -1}, {{0, 0, -1}}}, t)) << "behind";
+  EXPECT_EQ(published::meet<published::MoellerTrumbore<double>>(Segment{{1, 1, 1}, {1, 1, -1}}, t)->t, 0.5);
+  EXPECT_EQ(published::meet<published::MoellerTrumbore<float>>(Ray{{1, 1, 5}, {{0, 0, -1}}}, t)->t, 5.0F);
+  EXPECT_TRUE(published::meet<published::MoellerTrumbore<double>>(Segment{{4, 0, 1}, {4, 0, -1}}, t))
+      << "closed at the boundary";
+  EXPECT_FALSE(published::meet<published::MoellerTrumbore<double>>(Segment{{1, 1, 0}, {2, 1, 0}}, t))
+      << "coplanar is a miss";
+  EXPECT_FALSE(published::meet<published::MoellerTrumbore<double>>(Segment{{1, 1, 3}, {1, 1, 1}}, t)) << "stops short";
+  EXPECT_FALSE(published::meet<published::MoellerTrumbore<double>>(Ray{{1, 1, -1}, {{0, 0, -1}}}, t)) << "behind";
 }
 
 }  // namespace

@@ -25,8 +25,8 @@ Method ray_method(const char* name, const char* what, RayDecision decide) {
 
 std::vector<Method> bugs() {
   std::vector<Method> all;
-  for (const auto rows : {sign_bugs, coplanar_bugs, operand_bugs, jimenez_bugs, filter_bugs, contraction_bugs,
-                          cgal_bugs, range_bugs, ray_bugs}) {
+  for (const auto rows : {sign_bugs, coplanar_bugs, operand_bugs, jimenez_bugs, published_bugs, filter_bugs,
+                          contraction_bugs, cgal_bugs, range_bugs, ray_bugs}) {
     for (Method& m : rows()) all.push_back(std::move(m));
   }
   return all;

@@ -26,6 +26,7 @@ std::vector<Method> sign_bugs();
 std::vector<Method> coplanar_bugs();
 std::vector<Method> operand_bugs();
 std::vector<Method> jimenez_bugs();
+std::vector<Method> published_bugs();
 std::vector<Method> filter_bugs();
 std::vector<Method> contraction_bugs();
 std::vector<Method> cgal_bugs();

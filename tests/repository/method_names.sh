@@ -5,10 +5,11 @@ set -euo pipefail
 cd "$1"
 table=exact/methods/methods.cpp
 
-names=$(sed -nE 's/^ *\{"([a-z0-9-]+)", .*/\1/p' "$table")
+# A row {"name", make} is a method; one rivals<Test>("name") is two, name-float and name-double.
+names=$(sed -nE 's/^ *\{"([a-z0-9-]+)", .*/\1/p; s/^ *rivals<[A-Za-z]+>\("([a-z0-9-]+)"\),.*/\1-float\n\1-double/p' "$table")
 [ "$(wc -w <<<"$names")" -ge 5 ] || { echo "$table: expected a table of methods, one row each" >&2; exit 1; }
 whole=$(paste -sd'|' <<<"$names")
-first=$(sed -E 's/-.*//' <<<"$names" | sort -u | paste -sd'|')
+first=$(sed -E 's/-(float|double)$//; s/^(sf|cgal)-.*/\1/' <<<"$names" | sort -u | paste -sd'|')
 
 # A name as a whole word within a string; a string that a name begins with ("sf-"); a look-up of any name in the code.
 by_name="\"([^\"]*[^a-z0-9\"-])?($whole)([^a-z0-9\"-][^\"]*)?\"|\"($first)-\"|find_method\(\""

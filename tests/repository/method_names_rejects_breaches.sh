@@ -7,11 +7,12 @@ trap 'rm -rf "$scratch"' EXIT
 
 sound_tree() {
   rm -rf "$scratch/tree"
-  mkdir -p "$scratch"/tree/{core,exact/cli,tracer/cli,tests}
+  mkdir -p "$scratch"/tree/{core,exact/cli,exact/methods,tracer/cli,tests}
   cd "$scratch/tree"
   {
     echo 'const std::vector<Row> table = {'
     for name in sf-float sf-double mt-float haines-double cgal-epick; do printf '    {"%s", make},\n' "$name"; done
+    echo '      rivals<BaldwinWeber>("baldwin-weber"),'
     echo '};'
   } >exact/methods/methods.cpp
   printf '// The test "sf-double" is naive.\nint x;  ///< e.g. "sf-double"\nauto s = "a half-open sf";\n' >core/a.h
@@ -41,6 +42,8 @@ rejects exact/a.cpp 'for (const char* name : {"sf-float", "x"}) {'
 rejects core/a.cpp 'return "the exact test, <code>mt-float</code>, took";'
 rejects tracer/a.cpp 'if (m.name.starts_with("mt-")) draw();'
 rejects tracer/a.cpp 'text = "see haines-double";'
+rejects exact/a.cpp 'if (method.name == "baldwin-weber-float") slow();'
+rejects exact/a.cpp 'if (m.name.starts_with("baldwin-weber-")) slow();'
 sound_tree
 : >exact/methods/methods.cpp
 if bash "$names" . 2>/dev/null; then

@@ -2,7 +2,7 @@
 // Source: Möller & Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", Journal of Graphics Tools 2(1), 1997.
 #pragma once
 
-#include "core/moeller_trumbore.h"
+#include "core/products.h"
 #include "exact/filtered/batch/lanes.h"
 #include "tests/bench/predicate/peers.h"
 

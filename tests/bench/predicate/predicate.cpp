@@ -11,7 +11,8 @@
 #include <vector>
 
 #include "core/kernel.h"
-#include "core/moeller_trumbore.h"
+#include "core/rivals/adapter.h"
+#include "core/rivals/moeller_trumbore.h"
 #include "core/segura_feito.h"
 #include "exact/filtered/batch.h"
 #include "exact/filtered/filtered.h"
@@ -64,8 +65,9 @@ void time_our_single(const std::string& population, const PairTable& table) {
 }
 
 void time_scalar_mt(const std::string& population, const PairTable& table) {
-  time_single("scalar_mt", population, table,
-              [](const Segment& s, const Triangle& t) { return moeller_trumbore<double>(s, t).has_value(); });
+  time_single("scalar_mt", population, table, [](const Segment& s, const Triangle& t) {
+    return published::meet<published::MoellerTrumbore<double>>(s, t).has_value();
+  });
 }
 
 bool runs_here(const VectorPeer& peer) {
@@ -105,7 +107,9 @@ void time_rays(const std::string& population, const PairTable& table) {
       state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * table.size()));
     });
   };
-  time_one("scalar_mt", [](const Ray& r, const Triangle& t) { return moeller_trumbore<double>(r, t).has_value(); });
+  time_one("scalar_mt", [](const Ray& r, const Triangle& t) {
+    return published::meet<published::MoellerTrumbore<double>>(r, t).has_value();
+  });
   time_one("single", [](const Ray& r, const Triangle& t) { return hits(r, t); });
   std::string suffix;
   for (const VectorPeer* peer : {&moeller_trumbore_avx512, &moeller_trumbore_avx2, &moeller_trumbore_portable}) {

@@ -1,0 +1,174 @@
+// Makes all that a method does of one function of a published test.
+//
+// A rival R on the number type N has a `card` and a `contract`, says what it keeps of a triangle (`Prepared`, made by
+// `prepare`; Corners<N> if it prepares nothing), and has one of
+//   meet(origin, direction, prepared)          the hit of the line; the adapter compares t with the ends of the probe;
+//   meet(origin, direction, t_max, prepared)   the hit with 0 ≤ t ≤ t_max, where comparing t is part of the test;
+// and, where the test was published for the two ends of a segment,
+//   meet_segment(p, q, prepared)               the hit with t from 0 at p to 1 at q.
+// A rival with the last alone takes no rays, and its contract says so. One that prepares rays has `PreparedRay`, made
+// by `prepare_ray`, and meet(prepared_ray, t_max, prepared).
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "core/method.h"
+#include "core/rivals/rival.h"
+
+namespace tribunal::published {
+
+template <class R>
+concept PreparesRays = requires {
+  typename R::PreparedRay;
+};
+
+template <class R>
+concept PreparesTriangles = !std::is_same_v<typename R::Prepared, Corners<typename R::Number>>;
+
+template <class R, class V = Vec3<typename R::Number>>
+concept MeetsSegments = requires(V p, typename R::Prepared t) {
+  R::meet_segment(p, p, t);
+};
+
+template <class R, class V = Vec3<typename R::Number>>
+concept MeetsLines = requires(V o, typename R::Prepared t) {
+  R::meet(o, o, t);
+};
+
+template <class R>
+inline constexpr bool takes_rays = R::contract.probes.rays;
+
+template <class R>
+using HitOf = std::optional<RivalHit<typename R::Number>>;
+
+template <class R>
+typename R::Prepared prepared(const Triangle& t) {
+  const auto corners = corners_of<typename R::Number>(t);
+  if constexpr (PreparesTriangles<R>) {
+    return R::prepare(corners);
+  } else {
+    return corners;
+  }
+}
+
+/// The hit of the probe {o + t·d, 0 ≤ t ≤ t_max}.
+template <class R, class N = typename R::Number>
+HitOf<R> meet_up_to(const Vec3<N>& o, const Vec3<N>& d, const N& t_max, const typename R::Prepared& t) {
+  if constexpr (PreparesRays<R>) {
+    return R::meet(R::prepare_ray(o, d), t_max, t);
+  } else if constexpr (MeetsLines<R>) {
+    HitOf<R> hit = R::meet(o, d, t);
+    if (!hit || !(hit->t >= 0 && hit->t <= t_max)) return std::nullopt;
+    return hit;
+  } else {
+    return R::meet(o, d, t_max, t);
+  }
+}
+
+template <class N>
+N unbounded() {
+  return static_cast<N>(std::numeric_limits<double>::infinity());
+}
+
+template <class R, class N = typename R::Number>
+HitOf<R> meet(const Segment& s, const typename R::Prepared& t) {
+  const Vec3<N> p = lift<N>(s.p);
+  if constexpr (MeetsSegments<R>) {
+    return R::meet_segment(p, lift<N>(s.q), t);
+  } else {
+    return meet_up_to<R>(p, arm<N>(p, s.q), N(1), t);
+  }
+}
+
+template <class R, class N = typename R::Number>
+HitOf<R> meet(const Ray& r, const typename R::Prepared& t) {
+  if constexpr (takes_rays<R>) {
+    return meet_up_to<R>(lift<N>(r.o), lift<N>(r.d.v), unbounded<N>(), t);
+  } else {
+    return std::nullopt;
+  }
+}
+
+template <class R, class P>
+HitOf<R> meet(const P& probe, const Triangle& t) {
+  return meet<R>(probe, prepared<R>(t));
+}
+
+/// A rival has coordinates of the hit, not signs: it tells no kind of contact.
+template <class R, class P, class T>
+Answer answer_of(const P& probe, const T& t) {
+  if (std::is_same_v<P, Ray> && !takes_rays<R>) return refusal(Status::unsupported);
+  return meet<R>(probe, t) ? hit_at(Contact::unsaid) : miss();
+}
+
+/// The answer to a query about a triangle, as `Method::ask` gives it.
+template <class R>
+Answer answer_to(const Query& query) {
+  if (!is_finite(query)) return refusal(Status::nonfinite);
+  if (query.operands() != Operands::triangles) return refusal(Status::unsupported);
+  return std::visit([&](const auto& probe) { return answer_of<R>(probe, query.triangle()); }, query.probe);
+}
+
+namespace rival_detail {
+
+template <class R>
+Sign nearer(const Ray& r, const Triangle& s, const Triangle& t) {
+  const HitOf<R> f = meet<R>(r, s), g = meet<R>(r, t);
+  return f && g ? sign_of(f->t - g->t) : Sign::zero;
+}
+
+/// A t that is no number is none.
+template <class R>
+std::optional<double> parameter_of(const Ray& r, const Triangle& t) {
+  const HitOf<R> hit = meet<R>(r, t);
+  return hit && !std::isnan(hit->t) ? std::optional<double>(hit->t) : std::nullopt;
+}
+
+template <class R>
+std::optional<HitAt> hit_of(const Ray& r, const Triangle& t) {
+  const HitOf<R> hit = meet<R>(r, t);
+  if (!hit) return std::nullopt;
+  HitAt at{.t = hit->t};
+  if (hit->weights) at.weights = BarycentricWeights{hit->weights->b, hit->weights->c};
+  return at;
+}
+
+template <class R>
+PreparedTriangle prepare_triangle(const Triangle& triangle) {
+  const typename R::Prepared t = prepared<R>(triangle);
+  return {.segment = [t](const Segment& s) { return answer_of<R>(s, t); },
+          .ray = [t](const Ray& r) { return answer_of<R>(r, t); }};
+}
+
+template <class R, class N = typename R::Number>
+PreparedRay prepare_ray(const Ray& ray) {
+  const typename R::PreparedRay r = R::prepare_ray(lift<N>(ray.o), lift<N>(ray.d.v));
+  return
+      [r](const Triangle& t) { return R::meet(r, unbounded<N>(), prepared<R>(t)) ? hit_at(Contact::unsaid) : miss(); };
+}
+
+}  // namespace rival_detail
+
+/// The method, without its name. R is a rival on float or double.
+template <class R>
+Method rival_method() {
+  static_assert(std::is_floating_point_v<typename R::Number>);
+  const Format format = std::is_same_v<typename R::Number, float> ? Format::binary32 : Format::binary64;
+  Method m{.card = {.number = std::string(name_of(format)), .summary = R::card.summary, .reference = R::card.reference},
+           .contract = R::contract,
+           .segment = answer_of<R, Segment, Triangle>,
+           .ray = answer_of<R, Ray, Triangle>};
+  m.contract.format = format;
+  if constexpr (takes_rays<R>) {
+    m.compare_hits = rival_detail::nearer<R>;
+    m.parameter = rival_detail::parameter_of<R>;
+    m.hit = rival_detail::hit_of<R>;
+  }
+  if constexpr (PreparesTriangles<R>) m.prepare_triangle = rival_detail::prepare_triangle<R>;
+  if constexpr (PreparesRays<R>) m.prepare_ray = rival_detail::prepare_ray<R>;
+  return m;
+}
+
+}  // namespace tribunal::published

@@ -1,0 +1,56 @@
+// The test of Havel and Herout: three stored planes, the triangle's and two across it, and sign bits compared before
+// the one division.
+// Source: Havel & Herout, "Yet Faster Ray-Triangle Intersection (Using SSE4)", IEEE Transactions on Visualization and
+// Computer Graphics 16(3), 2010, doi:10.1109/TVCG.2009.73: its three planes and its test.
+#pragma once
+
+#include "core/rivals/rival.h"
+
+namespace tribunal::published {
+
+template <class N>
+struct HavelHerout {
+  using Number = N;
+  static constexpr RivalCard card{"three stored planes, sign bits compared before the one division",
+                                  "Havel & Herout 2010"};
+  static constexpr Contract contract{.triangles = Triangles::proper,
+                                     .convention = Convention::unspecified,
+                                     .boundary = Boundary::unspecified,
+                                     .ends = Ends::unspecified};
+
+  /// n·x + d.
+  struct Level {
+    Vec3<N> n;
+    N d;
+  };
+
+  /// The plane through the triangle, with its height for d, and those on which the weights of b and c are zero.
+  struct Prepared {
+    Level plane, of_b, of_c;
+  };
+
+  static Prepared prepare(const Corners<N>& t) {
+    const Plane<N> p = plane_of(t);
+    const N inverse = 1 / dot(p.normal, p.normal);
+    const Vec3<N> n1 = scaled(cross(p.ac, p.normal), inverse);
+    const Vec3<N> n2 = scaled(cross(p.normal, p.ab), inverse);
+    return {{p.normal, dot(p.normal, t.a)}, {n1, N(-dot(n1, t.a))}, {n2, N(-dot(n2, t.a))}};
+  }
+
+  /// Nothing tests det for zero: where the line lies in the plane all signs are those of zeros, and agree.
+  static std::optional<RivalHit<N>> meet(const Vec3<N>& o, const Vec3<N>& d, const N& t_max, const Prepared& t) {
+    const N det = dot(t.plane.n, d);
+    const N dett = t.plane.d - dot(o, t.plane.n);
+    const N beyond = t_max * det - dett;
+    if (sign_bit(dett) != sign_bit(t_max * 0 == 0 ? beyond : det)) return std::nullopt;
+    const Vec3<N> p = {o.x * det + d.x * dett, o.y * det + d.y * dett, o.z * det + d.z * dett};
+    const N detu = dot(p, t.of_b.n) + det * t.of_b.d;
+    if (sign_bit(detu) != sign_bit(N(det - detu))) return std::nullopt;
+    const N detv = dot(p, t.of_c.n) + det * t.of_c.d;
+    if (sign_bit(detv) != sign_bit(N(det - detu - detv))) return std::nullopt;
+    const N inverse = 1 / det;
+    return RivalHit<N>{dett * inverse, Weights<N>{detu * inverse, detv * inverse}};
+  }
+};
+
+}  // namespace tribunal::published

@@ -1,0 +1,84 @@
+// The Möller–Trumbore test: solve o + t·d = (1−u−v)·a + u·b + v·c by Cramer's rule, divide, compare.
+// Source: Möller & Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", Journal of Graphics Tools 2(1), 1997,
+// doi:10.1080/10867651.1997.10487468, equation (6) and the two branches of its code.
+#pragma once
+
+#include "core/rivals/rival.h"
+
+namespace tribunal::published {
+
+/// The two-sided branch with 0 in place of its tolerance on the determinant: a line parallel to the plane (determinant
+/// exactly 0 in N) meets nothing.
+template <class N>
+struct MoellerTrumbore {
+  using Number = N;
+  using Prepared = Corners<N>;
+  static constexpr RivalCard card{"Cramer's rule, one division, coordinates compared with 0 and 1",
+                                  "Möller & Trumbore 1997"};
+  static constexpr Contract contract{.convention = Convention::transversal};
+
+  static std::optional<RivalHit<N>> meet(const Vec3<N>& origin, const Vec3<N>& d, const Prepared& t) {
+    const Vec3<N> e1 = t.b - t.a;
+    const Vec3<N> e2 = t.c - t.a;
+    const Vec3<N> pvec = cross(d, e2);
+    const N det = dot(e1, pvec);
+    if (det == 0) return std::nullopt;
+    return divided(origin - t.a, d, e1, e2, pvec, det);
+  }
+
+  static std::optional<RivalHit<N>> divided(const Vec3<N>& tvec, const Vec3<N>& d, const Vec3<N>& e1, const Vec3<N>& e2,
+                                            const Vec3<N>& pvec, const N& det) {
+    const N inverse = 1 / det;
+    const N u = dot(tvec, pvec) * inverse;
+    if (!(u >= 0 && u <= 1)) return std::nullopt;
+    const Vec3<N> qvec = cross(tvec, e1);
+    const N v = dot(d, qvec) * inverse;
+    if (!(v >= 0 && u + v <= 1)) return std::nullopt;
+    return RivalHit<N>{dot(e2, qvec) * inverse, Weights<N>{u, v}};
+  }
+};
+
+/// The tolerance of the printed code on the determinant, which has the dimension of a volume.
+inline constexpr double moeller_trumbore_epsilon = 1e-6;
+
+/// The two-sided branch as printed.
+template <class N>
+struct MoellerTrumborePrinted : MoellerTrumbore<N> {
+  static constexpr RivalCard card{"as printed: a determinant below 1e-6 is called parallel", "Möller & Trumbore 1997"};
+
+  static std::optional<RivalHit<N>> meet(const Vec3<N>& origin, const Vec3<N>& d, const Corners<N>& t) {
+    const Vec3<N> e1 = t.b - t.a;
+    const Vec3<N> e2 = t.c - t.a;
+    const Vec3<N> pvec = cross(d, e2);
+    const N det = dot(e1, pvec);
+    const N epsilon = static_cast<N>(moeller_trumbore_epsilon);
+    if (det > -epsilon && det < epsilon) return std::nullopt;
+    return MoellerTrumbore<N>::divided(origin - t.a, d, e1, e2, pvec, det);
+  }
+};
+
+/// The branch with culling, as printed: the division comes last.
+template <class N>
+struct MoellerTrumboreCulling : MoellerTrumbore<N> {
+  static constexpr RivalCard card{"as printed, one-sided: a determinant below 1e-6 is culled, the division comes last",
+                                  "Möller & Trumbore 1997"};
+  static constexpr Contract contract{.convention = Convention::transversal, .culling = Culling::back_faces};
+
+  static std::optional<RivalHit<N>> meet(const Vec3<N>& origin, const Vec3<N>& d, const Corners<N>& t) {
+    const Vec3<N> e1 = t.b - t.a;
+    const Vec3<N> e2 = t.c - t.a;
+    const Vec3<N> pvec = cross(d, e2);
+    const N det = dot(e1, pvec);
+    if (det < static_cast<N>(moeller_trumbore_epsilon)) return std::nullopt;
+    const Vec3<N> tvec = origin - t.a;
+    const N u = dot(tvec, pvec);
+    if (u < 0 || u > det) return std::nullopt;
+    const Vec3<N> qvec = cross(tvec, e1);
+    const N v = dot(d, qvec);
+    if (v < 0 || u + v > det) return std::nullopt;
+    const N inverse = 1 / det;
+    return RivalHit<N>{dot(e2, qvec) * inverse, Weights<N>{u * inverse, v * inverse}};
+  }
+};
+
+}  // namespace tribunal::published
