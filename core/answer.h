@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
+#include <optional>
 #include <string_view>
 
 namespace tribunal {
@@ -33,9 +35,13 @@ enum class Status : std::uint8_t {
 
 constexpr bool is_fault(Status s) { return s >= Status::threw; }
 
-/// Which stage of a staged kernel decided. `none` for kernels without stages.
-enum class Stage : std::uint8_t { none, filter, expansion, exact };
-inline constexpr std::size_t stage_count = 4;
+/// Which stage of a staged kernel decided: a filter, integers of a fixed width, or exact numbers of any width. `none`
+/// for kernels without stages.
+enum class Stage : std::uint8_t { none, filter, integers, exact };
+
+/// The stages that decide, each asked where the one before is not certain.
+inline constexpr Stage deciding_stages[] = {Stage::filter, Stage::integers, Stage::exact};
+inline constexpr std::size_t stage_count = 1 + std::size(deciding_stages);
 
 /// One of the 163 classes of a segment and a triangle, 1..163, or of the 165 of a ray and a triangle, from 164 on;
 /// 0 where none was computed.
@@ -93,8 +99,17 @@ constexpr std::string_view fault_name(Status s) {
 }
 
 constexpr std::string_view name_of(Stage s) {
-  constexpr std::string_view names[] = {"", "filter", "expansion", "exact"};
+  constexpr std::string_view names[stage_count] = {"", "filter", "integers", "exact"};
   return names[static_cast<int>(s)];
+}
+
+/// The stage of this name; `expansion` is what older files call `integers`.
+constexpr std::optional<Stage> stage_named(std::string_view name) {
+  if (name == "expansion") return Stage::integers;
+  for (const Stage s : deciding_stages) {
+    if (name == name_of(s)) return s;
+  }
+  return std::nullopt;
 }
 
 constexpr std::string_view name_of(Convention c) {

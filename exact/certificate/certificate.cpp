@@ -46,9 +46,8 @@ SampledStream to_stream(const Json& r, const Where& where) {
 std::vector<Stage> to_stages(const Json& plan, const Where& where) {
   std::vector<Stage> stages;
   for (const Json& name : require(plan, "stages", where)) {
-    for (const Stage s : {Stage::filter, Stage::expansion, Stage::exact}) {
-      if (name == name_of(s)) stages.push_back(s);
-    }
+    const auto stage = name.is_string() ? stage_named(name.get_ref<const std::string&>()) : std::nullopt;
+    if (stage) stages.push_back(*stage);
   }
   if (stages.size() != plan["stages"].size()) where.key("stages").fail("unknown stage");
   return stages;
@@ -166,7 +165,7 @@ std::string reason_of(Stage stage, ClassId id) {
 void add_stage_gaps(Certificate& c) {
   for (const Format format : {Format::binary64, Format::binary32}) {
     for (const Stage stage : c.stages) {
-      const std::string where = std::string(tribunal::name_of(format)) + " stage " + std::string(name_of(stage));
+      const std::string where = std::string(tribunal::name_of(format)) + " stage " + c.word_of(stage);
       for (const Operands operands : {Operands::triangles, Operands::polygons}) {
         const Count all = c.coverage.total(format, operands);
         if (all.judged() > 0 && all.at(stage) == 0) c.gaps.push_back({where, "no answer came from this stage", false});
@@ -247,6 +246,11 @@ Operands Certificate::operands() const { return plan.contains("operands") ? Oper
 
 std::size_t Certificate::sampled_strata() const {
   return static_cast<std::size_t>(std::ranges::count_if(strata, [this](const Stratum& s) { return !is_own(s); }));
+}
+
+std::string Certificate::word_of(Stage stage) const {
+  const auto at = std::ranges::find(stages, stage) - stages.begin();
+  return plan.at("stages").at(static_cast<std::size_t>(at));
 }
 
 bool Certificate::has_own() const {

@@ -78,7 +78,8 @@ struct Certificate {
   Verdict verdict = Verdict::incomplete;
 
   std::string method() const { return plan.at("method"); }
-  Operands operands() const;  ///< that the plan is about
+  std::string word_of(Stage stage) const;  ///< the log's own word, one of `stages`
+  Operands operands() const;               ///< that the plan is about
   bool is_own(const Stratum& s) const { return streams[s.stream].is_own(); }
   std::size_t sampled_strata() const;  ///< which share the simultaneous bounds
   bool has_own() const;

@@ -46,7 +46,7 @@ Json to_json(const Certificate& c, const Stratum& s) {
   row["n"] = s.count.judged();
   row["k"] = s.count.wrong;
   row["unsupported"] = s.count.unsupported;
-  for (const Stage stage : c.stages) row["from_" + std::string(name_of(stage))] = s.count.at(stage);
+  for (const Stage stage : c.stages) row["from_" + c.word_of(stage)] = s.count.at(stage);
   if (c.is_own(s)) return row;
   row["upper_95"] = upper_bound(s.count.wrong, s.count.judged(), confidence_alpha);
   row["upper_95_simultaneous"] = upper_bound(s.count.wrong, s.count.judged(), simultaneous_alpha(c));
@@ -96,7 +96,7 @@ Json coverage_json(const Certificate& c, Format format, const SlotGroup& group, 
   Json row = {{judged, c.coverage.judged(format, group)}, {"of", group.size}};
   if (!group.finest) return row;
   for (const Stage stage : c.stages) {
-    row["from_" + std::string(name_of(stage))] = c.coverage.judged(format, group, stage);
+    row["from_" + c.word_of(stage)] = c.coverage.judged(format, group, stage);
   }
   return row;
 }
@@ -201,6 +201,10 @@ std::string worst_classes(const Certificate& c, bool own) {
   return text;
 }
 
+std::string coverage_text(const Certificate& c) {
+  return c.coverage.to_text(c.stages, [&](Stage stage) { return c.word_of(stage); });
+}
+
 std::string stages_table(const Certificate& c) {
   if (c.stages.empty()) return "";
   const Count total = c.sampled();
@@ -208,7 +212,7 @@ std::string stages_table(const Certificate& c) {
   for (const Stage stage : c.stages) {
     const double share =
         total.judged() == 0 ? 0 : static_cast<double>(total.at(stage)) / static_cast<double>(total.judged());
-    text += " " + std::string(name_of(stage)) + " " + std::to_string(total.at(stage)) + " (" + percent(share) + ")";
+    text += " " + c.word_of(stage) + " " + std::to_string(total.at(stage)) + " (" + percent(share) + ")";
   }
   return text + ".\n\n";
 }
@@ -343,7 +347,7 @@ std::string to_markdown(const Certificate& c) {
   std::string text = "# " + c.method() + ": " + name_of(c.verdict) + "\n\n";
   text += "Contract: " + in_words(c.contract) + ". Convention: " + std::string(name_of(c.contract.convention)) +
           ". Budget " + word(c, "budget") + ", seed " + c.plan["seed"].dump() + ". " + coverage_word(c) +
-          " judged: " + c.coverage.to_text(c.stages) + ".\n\n";
+          " judged: " + coverage_text(c) + ".\n\n";
   if (!faults_in(c).empty()) text += "It is no function of its input, or fails:\n\n" + fault_lines(c, "- ") + "\n";
   if (!c.proved.empty()) text += "## Proved: sets run whole\n\n" + proved_table(c) + "\n";
   if (c.sampled_strata() > 0) text += sampled_section(c);
@@ -370,7 +374,7 @@ std::string to_summary(const Certificate& c) {
   }
   if (c.has_own()) text += "  own      " + wrong_of(c.own()) + "\n";
   text += fault_lines(c, "  FAULT    ") + worst_line(c);
-  text += (c.coverage.has(Operands::polygons) ? "  judged   " : "  classes  ") + c.coverage.to_text(c.stages) + "\n";
+  text += (c.coverage.has(Operands::polygons) ? "  judged   " : "  classes  ") + coverage_text(c) + "\n";
   for (const Gap& g : c.gaps) {
     if (!g.explained) text += "  HOLE     " + g.what + ": " + g.reason + "\n";
   }

@@ -24,8 +24,7 @@ Point3 random_point(Draw& draw) {
 }
 
 Trial random_points(Format format, std::uint64_t seed, std::uint64_t k) {
-  constexpr std::uint32_t stream = 1001;  // families of the fuzzer draw from small numbers
-  Draw draw(stream, seed, k);
+  Draw draw(stream_of("chart general"), seed, k);
   Point3 v[5];
   for (Point3& vertex : v) vertex = random_point(draw);
   return {.query = {Segment{v[3], v[4]}, Triangle{v[0], v[1], v[2]}}, .format = format};

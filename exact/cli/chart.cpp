@@ -54,7 +54,8 @@ int run(const Options& o) {
 
 Action declare_chart(Arguments& arguments) {
   const auto o = std::make_shared<Options>();
-  arguments.option("--method,--methods", o->methods, "methods, separated by commas, or all (default all but most rivals)");
+  arguments.option("--method,--methods", o->methods,
+                   "methods, separated by commas, or all (default all but most rivals)");
   arguments.option("--seed", o->plan.seed, "seed of the cases").shows_default();
   arguments.option("--count", o->plan.cases, "cases judged, of each population and format")
       .above_zero()

@@ -45,7 +45,7 @@ inline constexpr FilterConstants<double> area_filter{9 * rounding, 0x1p-850, 0x1
 inline constexpr FilterConstants<double> order_filter{1250 * rounding, 0x1p-500, 0x1p100};
 
 /// Of the bounds by terms (term_filter.h): K·T + tiny, where T is the sum of the terms' magnitudes. Proved: 8 and 18
-/// units.
+/// units (terms.g), and what underflow takes (terms_range.g).
 inline constexpr FilterConstants<double> volume_terms_filter{9 * rounding, 0x1p-700, 0x1p150};
 inline constexpr FilterConstants<double> order_terms_filter{21 * rounding, 0x1p-500, 0x1p100};
 

@@ -9,7 +9,7 @@ namespace tribunal {
 /// Exact for all finite binary64 coordinates, whatever the rounding mode of the thread. Each sign comes from the first
 /// stage that can tell:
 ///   filter     the formula in double, if its value exceeds a proved bound;
-///   expansion  the formula over integers of three or six machine words, on the operands moved to an integer grid;
+///   integers   the formula over integers of three or six machine words, on the operands moved to an integer grid;
 ///   exact      the formula over GMP integers.
 /// A tally, if given, counts them. Thread safety: use one tally a thread; else nothing is shared.
 class FilteredKernel {

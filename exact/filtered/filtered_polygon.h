@@ -76,12 +76,12 @@ class FilteredPolygon {
   View view_of(const detail::RingRun& run, const detail::PlaneCrossing<double>& x, double range) const;
 
   Vec3<detail::Twin<double>> base_{{0, 0}, {0, 0}, {0, 0}},
-      normal_{{0, 0}, {0, 0}, {0, 0}};  ///< a vertex, and the plane's normal, scaled, or zero
-  double extent_ = 0;                   ///< the largest coordinate of the projected vertices
-  int u_ = 0, v_ = 1;                   ///< the axes on which the polygon is projected
-  detail::RingRun first_run_{};         ///< the rings, closed, one after the other, as seen from the base
-  std::vector<detail::RingRun> other_runs_;     ///< what is beyond 64 vertices
-  std::vector<double> flat_;            ///< what the runs point to
+      normal_{{0, 0}, {0, 0}, {0, 0}};       ///< a vertex, and the plane's normal, scaled, or zero
+  double extent_ = 0;                        ///< the largest coordinate of the projected vertices
+  int u_ = 0, v_ = 1;                        ///< the axes on which the polygon is projected
+  detail::RingRun first_run_{};              ///< the rings, closed, one after the other, as seen from the base
+  std::vector<detail::RingRun> other_runs_;  ///< what is beyond 64 vertices
+  std::vector<double> flat_;                 ///< what the runs point to
   Covering covering_;
 };
 
@@ -109,8 +109,7 @@ template <class P>
   const double range = detail::crossing_range<P>(reach, extent_);
   if (!(range < detail::crossing_bounds.huge)) return std::nullopt;
   const detail::Twin<double> along[3] = {x, y, z};
-  const detail::PlaneCrossing<double> at =
-      plane_crossing<P>(heights, Vec2<detail::Twin<double>>{along[u_], along[v_]});
+  const detail::PlaneCrossing<double> at = plane_crossing<P>(heights, Vec2<detail::Twin<double>>{along[u_], along[v_]});
   bool certain = true, odd = false;
   const detail::RingRun* run = &first_run_;
   for (std::size_t others = 0;; run = &other_runs_[others++]) {

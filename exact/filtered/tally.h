@@ -21,14 +21,15 @@ class Tally {
 
   /// The deepest stage that decided anything; `none` if nothing was asked.
   Stage deepest() const {
-    for (const Stage s : {Stage::exact, Stage::expansion, Stage::filter}) {
-      if ((*this)[s] > 0) return s;
+    Stage deepest = Stage::none;
+    for (const Stage s : deciding_stages) {
+      if ((*this)[s] > 0) deepest = s;
     }
-    return Stage::none;
+    return deepest;
   }
 
  private:
-  std::array<std::uint64_t, 4> counts_{};
+  std::array<std::uint64_t, stage_count> counts_{};
 };
 
 }  // namespace tribunal

@@ -6,12 +6,12 @@
 //
 // Proof. A term passes eight roundings on its way into det3: one in each of its arms, the product of two of them, the
 // minor's difference, the product with the third, and at most two in the sum of three products, the first term's;
-// so at most 3 + 1 + 1 + 1 + 2 = 8. Each multiplies it by 1 + δ with |δ| ≤ 2⁻⁵², so the determinant is off by
-// at most ((1 + 2⁻⁵²)⁸ − 1)·T over the rounded arms (Higham, "Accuracy and Stability of Numerical Algorithms", 2002,
-// Lemma 3.1), which is 8.0…01 units of T. T itself is computed from the same arms with at most five roundings and the
-// bound with two more, so it comes out at no less than (1 − 2⁻⁵²)⁷ of what it is: 9 units suffice. Underflow and
-// overflow are those of one determinant: range.g. Source of the idea: Shewchuk, "Adaptive Precision Floating-Point
-// Arithmetic and Fast Robust Geometric Predicates", DCG 18, 1997, whose constant for rounding to nearest is 7 + 56ε.
+// so at most 3 + 1 + 1 + 1 + 2 = 8. T is computed from the same rounded arms with at most five roundings and the bound
+// with two more. terms.g proves that then no term is off by more than 8 units of its share of T (Higham, "Accuracy and
+// Stability of Numerical Algorithms", 2002, Lemma 3.1, has the argument); 9 are taken. Underflow and overflow:
+// terms_range.g. A test counts the roundings in the lines below. Source of the idea: Shewchuk, "Adaptive Precision
+// Floating-Point Arithmetic and Fast Robust Geometric Predicates", DCG 18, 1997, whose constant for rounding to nearest
+// is 7 + 56ε.
 #pragma once
 
 #include <optional>
@@ -55,15 +55,36 @@ std::optional<Sign> filter_orient3d_by_terms(const Point3& a, const Point3& b, c
   return filter_terms(arm<N>(o, b), arm<N>(o, p), arm<N>(o, x), c);
 }
 
+/// The three minors of two arms, which make the normal of their plane, and the sum of the magnitudes of each one's
+/// terms.
+template <class N>
+struct Minors {
+  Vec3<N> value, terms;
+};
+
+template <class N>
+Minors<N> minors_of(const Vec3<N>& u, const Vec3<N>& v) {
+  const N x[] = {u.y * v.z, u.z * v.y}, y[] = {u.z * v.x, u.x * v.z}, z[] = {u.x * v.y, u.y * v.x};
+  return {{N(x[0] - x[1]), N(y[0] - y[1]), N(z[0] - z[1])},
+          {N(magnitude(x[0]) + magnitude(x[1])), N(magnitude(y[0]) + magnitude(y[1])),
+           N(magnitude(z[0]) + magnitude(z[1]))}};
+}
+
+/// det(u, v, w) by the minors of u and v. The third arm comes last instead of first, which changes nothing in the count
+/// of roundings.
+template <class N>
+Expansion<N> expanded(const Minors<N>& m, const Vec3<N>& w) {
+  return {N(m.value.x * w.x + m.value.y * w.y + m.value.z * w.z),
+          N(m.terms.x * magnitude(w.x) + m.terms.y * magnitude(w.y) + m.terms.z * magnitude(w.z))};
+}
+
 /// The plane of a triangle, for many questions on which side something lies: orient3d(a, b, c, x), the minors taken
-/// once. The third arm comes last instead of first, which changes nothing in the count of roundings.
+/// once.
 class PlaneFilter {
  public:
   explicit PlaneFilter(const Triangle& t) : a_(lift<double>(t.a)) {
     const Vec3<double> u = arm<double>(a_, t.b), v = arm<double>(a_, t.c);
-    normal_ = {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
-    terms_ = {magnitude(u.y * v.z) + magnitude(u.z * v.y), magnitude(u.z * v.x) + magnitude(u.x * v.z),
-              magnitude(u.x * v.y) + magnitude(u.y * v.x)};
+    minors_ = minors_of(u, v);
     in_range_ = in_range(largest(u, v), volume_terms_filter);
   }
 
@@ -72,13 +93,12 @@ class PlaneFilter {
   std::optional<Sign> side(const X& x) const {
     const Vec3<double> w = arm<double>(a_, x);
     if (!in_range_ || !in_range(w, volume_terms_filter)) return std::nullopt;
-    return sign_of(Expansion<double>{normal_.x * w.x + normal_.y * w.y + normal_.z * w.z,
-                                     terms_.x * magnitude(w.x) + terms_.y * magnitude(w.y) + terms_.z * magnitude(w.z)},
-                   volume_terms_filter);
+    return sign_of(expanded(minors_, w), volume_terms_filter);
   }
 
  private:
-  Vec3<double> a_, normal_, terms_;
+  Vec3<double> a_;
+  Minors<double> minors_;
   bool in_range_;
 };
 
@@ -107,8 +127,8 @@ std::optional<bool> filter_hits_by_terms(const P& probe, const Triangle& t, cons
 }
 
 /// The order of two hits along one ray, as filter_compare_hits has it. Of n₁·d₂ − n₂·d₁ each factor is off by at most 8
-/// units of its terms, so a product by 8 + 8 + 1 units of the product of terms, and the difference by one more: 18,
-/// and 21 are taken.
+/// units of its terms, so a product by 8 + 8 + 1 units of the product of terms, and the difference by one more: 18
+/// (terms.g), and 21 are taken.
 template <class N>
 std::optional<Sign> filter_compare_hits_by_terms(const Ray& r, const Triangle& s, const Triangle& t,
                                                  const FilterConstants<N>& order, const FilterConstants<N>& volume) {

@@ -31,7 +31,7 @@ Method sf_filtered() {
                .summary = "five signs by a proved filter; fixed-width integers, then GMP, where it abstains",
                .reference = "Segura & Feito 1998, 2001; docs/error-bounds.md"},
       .contract = {.polygons = Polygons::any, .exact = true},
-      .stages = {Stage::filter, Stage::expansion, Stage::exact},
+      .stages = {std::begin(deciding_stages), std::end(deciding_stages)},
       .tells_contact = true,
       .on_tree_lanes = true,
       .segment = [](const Segment& s, const Triangle& t) { return intersect(s, t); },

@@ -22,10 +22,10 @@
 #include "core/rivals/wald.h"
 #include "core/rivals/woop.h"
 #include "exact/base/failure.h"
-#include "exact/kernels/rivals.h"
 #include "exact/methods/exact_methods.h"
 #include "exact/methods/filtered_method.h"
 #include "exact/methods/naive.h"
+#include "exact/methods/rivals.h"
 
 namespace tribunal {
 

@@ -16,7 +16,7 @@ Slot to_slot(const std::string& name, const Where& where) {
 }
 
 std::array<std::uint64_t, 6> numbers_of(const Count& c) {
-  return {c.asked, c.wrong, c.unsupported, c.at(Stage::filter), c.at(Stage::expansion), c.at(Stage::exact)};
+  return {c.asked, c.wrong, c.unsupported, c.at(Stage::filter), c.at(Stage::integers), c.at(Stage::exact)};
 }
 
 }  // namespace

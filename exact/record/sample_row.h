@@ -27,7 +27,7 @@ Count total_of(const SampleRow& row, bool rays);
 /// All rows of a report in which anything was asked, in the plan's order.
 std::vector<SampleRow> rows_of(const FuzzPlan& plan, const FuzzReport& report);
 
-/// The record "sample". A count is [asked, wrong, unsupported, filter, expansion, exact] without trailing zeros; what
+/// The record "sample". A count is [asked, wrong, unsupported, filter, integers, exact] without trailing zeros; what
 /// no stage answered came from a method without stages.
 Json to_record(const SampleRow& row);
 SampleRow to_sample_row(const Json& record, const Where& where);

@@ -46,7 +46,12 @@ constexpr Relation of_polygons[] = {
 };
 
 /// Numbers of the random streams that the relations draw from, one each.
-constexpr std::uint32_t first_stream_of(Operands operands) { return operands == Operands::triangles ? 1000 : 200; }
+constexpr RandomStreams streams_of_relations(Operands operands) {
+  return operands == Operands::triangles ? streams_owned_by("triangle relations")
+                                         : streams_owned_by("polygon relations");
+}
+static_assert(std::size(of_triangles) <= streams_of_relations(Operands::triangles).count);
+static_assert(std::size(of_polygons) <= streams_of_relations(Operands::polygons).count);
 
 /// A query of a case, and its exact answer where a method's promise depends on it.
 class Asked {
@@ -80,7 +85,7 @@ void ask_all(const FuzzPlan& plan, Asked asked, std::uint64_t g, std::vector<Rel
   const Operands operands = plan.operands();
   const std::span<const Relation> relations = relations_of(operands);
   for (std::size_t r = 0; r < relations.size(); ++r) {
-    Draw draw(static_cast<std::uint32_t>(first_stream_of(operands) + r), plan.seed, g);
+    Draw draw(static_cast<std::uint32_t>(streams_of_relations(operands).first + r), plan.seed, g);
     const std::optional<Instance> instance = relations[r].of(asked.query(), asked.format(), draw);
     if (!instance) continue;
     for (std::size_t m = 0; m < plan.methods.size(); ++m) {

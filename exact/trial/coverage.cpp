@@ -18,11 +18,12 @@ int members(const std::map<Slot, Count>& counts, const SlotGroup& group, const G
   return static_cast<int>(found.size());
 }
 
-std::string text_of(const Coverage& c, Format format, const SlotGroup& group, const std::vector<Stage>& stages) {
+std::string text_of(const Coverage& c, Format format, const SlotGroup& group, const std::vector<Stage>& stages,
+                    const StageWord& word) {
   std::string text = std::to_string(c.judged(format, group)) + "/" + std::to_string(group.size);
   if (!group.finest) return text;
   for (const Stage stage : stages) {
-    text += (stage == stages.front() ? " (" : ", ") + std::string(name_of(stage)) + " " +
+    text += (stage == stages.front() ? " (" : ", ") + word(stage) + " " +
             std::to_string(c.judged(format, group, stage)) + (stage == stages.back() ? ")" : "");
   }
   return text;
@@ -67,7 +68,7 @@ std::vector<SlotGroup> Coverage::groups(Operands operands) const {
   return named.empty() ? std::vector{all.front()} : named;
 }
 
-std::string Coverage::to_text(const std::vector<Stage>& stages) const {
+std::string Coverage::to_text(const std::vector<Stage>& stages, const StageWord& word) const {
   std::string text;
   for (const Operands operands : {Operands::triangles, Operands::polygons}) {
     if (operands == Operands::polygons ? !has(operands) : has(Operands::polygons) && !has(operands)) continue;
@@ -79,7 +80,7 @@ std::string Coverage::to_text(const std::vector<Stage>& stages) const {
       std::string separator = " ";
       for (const SlotGroup& group : groups(operands)) {
         text += separator + (group.name == slot_groups(Operands::triangles)[0].name ? "" : group.name + " ");
-        text += text_of(*this, format, group, stages);
+        text += text_of(*this, format, group, stages, word);
         separator = ", ";
       }
     }

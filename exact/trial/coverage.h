@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -11,6 +12,9 @@
 #include "exact/trial/slot.h"
 
 namespace tribunal {
+
+/// What a report calls a stage.
+using StageWord = std::function<std::string(Stage)>;
 
 /// Answers of one method, by format and slot.
 class Coverage {
@@ -34,8 +38,10 @@ class Coverage {
   /// The groups that a report should name: those of which anything was asked in either format, or the only one.
   std::vector<SlotGroup> groups(Operands operands) const;
 
-  /// "binary64 163/163 (filter 70, expansion 163, exact 12), binary32 163/163 (…)"; of polygons, the groups by name.
-  std::string to_text(const std::vector<Stage>& stages) const;
+  /// "binary64 163/163 (filter 70, integers 163, exact 12), binary32 163/163 (…)"; of polygons, the groups by name.
+  /// Stages are called by `word`.
+  std::string to_text(
+      const std::vector<Stage>& stages, const StageWord& word = [](Stage s) { return std::string(name_of(s)); }) const;
 
  private:
   using Counts = std::map<Slot, Count>;

@@ -214,6 +214,25 @@ TEST_F(CertificateTest, LostCountsMakeAHole) {
   EXPECT_EQ(verify(directory_).certificate.verdict, Verdict::incomplete);
 }
 
+/// Logs of older versions call the stage of integers "expansion". They are read, and their certificates keep the word.
+TEST_F(CertificateTest, OlderLogsCallTheStageOfIntegersExpansion) {
+  const Certificate c = write({.method = method("sf-filtered"), .budget = {"tiny", 1, false}, .threads = 2});
+  const auto call_it = [&](const char* word) {
+    forge([&](auto& all) { all.front()["stages"] = {"filter", word, "exact"}; });
+  };
+  ASSERT_EQ(c.plan, read_log(file("log.jsonl")).records.front());
+  ASSERT_EQ(c.plan["stages"], Json({"filter", "integers", "exact"}));
+  call_it("expansion");
+  const Verification v = verify(directory_);
+  EXPECT_TRUE(v.faults.empty());
+  EXPECT_EQ(v.certificate.stages, c.stages);
+  EXPECT_EQ(v.certificate.strata.front().count.at(Stage::integers), c.strata.front().count.at(Stage::integers));
+  EXPECT_EQ(read_file(file("certificate.json")).find("from_integers"), std::string::npos);
+  EXPECT_NE(read_file(file("certificate.json")).find("from_expansion"), std::string::npos);
+  EXPECT_NE(read_file(file("certificate.md")).find(" expansion "), std::string::npos);
+  EXPECT_THROW(call_it("guess"), Failure);
+}
+
 /// A log from which something that the budget owes was dropped or changed, with the chain made again, does not verify.
 TEST_F(CertificateTest, WhatTheBudgetOwesCannotBeDropped) {
   write({.method = method("sf-epick"), .budget = {"tiny", 1, false}, .threads = 2});

@@ -92,7 +92,7 @@ class Batch : public testing::TestWithParam<std::string_view> {
   void TearDown() override { force_batch_target(""); }
 };
 
-std::uint64_t total(const Tally& t) { return t[Stage::filter] + t[Stage::expansion] + t[Stage::exact]; }
+std::uint64_t total(const Tally& t) { return t[Stage::filter] + t[Stage::integers] + t[Stage::exact]; }
 
 TEST_P(Batch, AnswersEachPairAsTheSingleTestDoes) {
   const Corpus& c = corpus();
@@ -106,7 +106,7 @@ TEST_P(Batch, AnswersEachPairAsTheSingleTestDoes) {
   }
   for (const Tally& tally : {segments, rays}) {
     EXPECT_EQ(total(tally), n);
-    for (const Stage s : {Stage::filter, Stage::expansion, Stage::exact}) EXPECT_GT(tally[s], 0U) << name_of(s);
+    for (const Stage s : deciding_stages) EXPECT_GT(tally[s], 0U) << name_of(s);
   }
 }
 

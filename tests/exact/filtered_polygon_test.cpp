@@ -41,7 +41,7 @@ TEST(FilteredPolygon, IsTheCoveringTestOnExactNumbers) {
     }
   }
   EXPECT_GT(stages[Stage::filter], 1'000);
-  EXPECT_GT(stages[Stage::expansion], 1'000);
+  EXPECT_GT(stages[Stage::integers], 1'000);
   EXPECT_GT(stages[Stage::exact], 10);
   EXPECT_EQ(stages[Stage::none], 0);
 }
@@ -100,7 +100,7 @@ TEST(FilteredPolygon, ScaleWalksFromUnderflowToOverflow) {
     }
   }
   EXPECT_GT(stages[Stage::filter], 300);
-  EXPECT_GT(stages[Stage::expansion] + stages[Stage::exact], 300);
+  EXPECT_GT(stages[Stage::integers] + stages[Stage::exact], 300);
 }
 
 /// The bounds grow with the distance of the eye, not with its cube.

@@ -375,5 +375,46 @@ TEST(WideTree, HandlesEqualBoxes) {
   EXPECT_EQ(offered(tree, probe, WideProbe::far_away).size(), boxes.size());
 }
 
+/// What a walk that meets every box may have to keep waiting below a node or leaf, the popped one not counted.
+std::size_t waiting_below(const WideTree& tree, NodeRef at) {
+  if (at.is_leaf()) return 0;
+  const WideNode& node = tree.nodes()[at.index()];
+  std::size_t children = 0, deepest = 0;
+  for (; children < node_width && !node.is_empty(children); ++children) {
+    deepest = std::max(deepest, waiting_below(tree, node.child[children]));
+  }
+  return std::max(children, children - 1 + deepest);
+}
+
+/// Boxes whose sizes halve towards a corner, `copies` of each: the cheapest cut takes off the largest ones, again and
+/// again, so that trees are as deep as the range of binary32 makes them.
+std::vector<Box> halving_boxes(int sizes, int copies, const Point3& stretch) {
+  std::vector<Box> boxes;
+  for (int i = 0; i < sizes; ++i) {
+    for (int k = 0; k < copies; ++k) {
+      const double size = std::ldexp(1.0, -i);
+      boxes.push_back(box_between(Point3(size), size * (Point3(1) + stretch)));
+    }
+  }
+  return boxes;
+}
+
+/// Stacks of walks have room for what waits in any tree; here, in those that are deepest.
+TEST(WideTree, NoMoreNodesWaitThanStacksHaveRoomFor) {
+  std::size_t most = 0;
+  for (const int sizes : {1, 30, 60, 120}) {
+    for (const int copies : {1, 9, 200, 5000}) {
+      for (const Point3& stretch : {Point3(0.5), Point3(1, 0, 0)}) {
+        const WideTree tree = tree_over(halving_boxes(sizes, copies, stretch));
+        const std::size_t waiting = waiting_below(tree, tree.root());
+        EXPECT_LE(waiting, most_waiting) << sizes << " sizes, " << copies << " boxes of each";
+        most = std::max(most, waiting);
+      }
+    }
+  }
+  EXPECT_GT(most, 100U) << "no deep tree was built";
+  RecordProperty("most_waiting", static_cast<int>(most));
+}
+
 }  // namespace
 }  // namespace tribunal

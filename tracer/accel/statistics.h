@@ -76,7 +76,7 @@ struct RayTally {
 /// What questions cost between two moments of a tally.
 inline Cost cost_between(const RayTally& before, const RayTally& after) {
   Cost cost{after.tests() + after.start_tests - before.tests() - before.start_tests, Stage::none};
-  for (const Stage s : {Stage::filter, Stage::expansion, Stage::exact}) {
+  for (const Stage s : deciding_stages) {
     if (after.by_stage[static_cast<std::size_t>(s)] > before.by_stage[static_cast<std::size_t>(s)]) cost.deepest = s;
   }
   return cost;

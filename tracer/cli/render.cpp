@@ -88,25 +88,23 @@ Json to_json(const Method& method, const RayTally& t) {
     const auto i = static_cast<std::size_t>(k);
     rays[std::string(name_of(k))] = {{"cast", t.rays[i]}, {"hit", t.ray_hits[i]}};
   }
-  return {{"method", method.name},
-          {"rays", rays},
-          {"box_tests", t.box_tests},
-          {"triangle_tests", t.triangle_tests},
-          {"triangle_hits", t.triangle_hits},
-          {"polygon_tests", t.polygon_tests},
-          {"polygon_hits", t.polygon_hits},
-          {"hit_share", share(t.hits(), t.tests())},
-          {"answers_by_stage",
-           {{"unstaged", t.by_stage[0]},
-            {"filter", t.by_stage[1]},
-            {"expansion", t.by_stage[2]},
-            {"exact", t.by_stage[3]}}},
-          {"points_computed", points_computed(t)},
-          {"starts",
-           {{"wanted", t.starts},
-            {"candidates", t.start_candidates},
-            {"tests", t.start_tests},
-            {"unproved", method.contract.exact ? Json(t.starts_unproved) : Json("all")}}}};
+  return {
+      {"method", method.name},
+      {"rays", rays},
+      {"box_tests", t.box_tests},
+      {"triangle_tests", t.triangle_tests},
+      {"triangle_hits", t.triangle_hits},
+      {"polygon_tests", t.polygon_tests},
+      {"polygon_hits", t.polygon_hits},
+      {"hit_share", share(t.hits(), t.tests())},
+      {"answers_by_stage",
+       {{"unstaged", t.by_stage[0]}, {"filter", t.by_stage[1]}, {"integers", t.by_stage[2]}, {"exact", t.by_stage[3]}}},
+      {"points_computed", points_computed(t)},
+      {"starts",
+       {{"wanted", t.starts},
+        {"candidates", t.start_candidates},
+        {"tests", t.start_tests},
+        {"unproved", method.contract.exact ? Json(t.starts_unproved) : Json("all")}}}};
 }
 
 Json to_json(const Findings& f, const Method& a, const Method& b) {
@@ -316,7 +314,7 @@ int run(const Options& o) {
     write_file(beside(o.out, ".stages.png"), to_png(stages_heat_map(renderings[0])));
     report += formatted(
         "heat maps: white is %llu tests a pixel (logarithmic); the deepest stage is filter (blue), "
-        "expansion (orange), exact (white)\n",
+        "integers (orange), exact (white)\n",
         whole(greatest_tests(renderings[0])));
   }
   if (methods.size() == 2) {

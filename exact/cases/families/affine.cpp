@@ -70,7 +70,7 @@ Ray ray_image(const AffineMap& map, const Representative& x, Format format, Draw
 }
 
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
-  Draw draw(1, seed, k);
+  Draw draw(stream_of("family affine"), seed, k);
   const ClassTurn turn = class_turn_of(k, mantissa_fills(format).size());
   return affine_image(format, draw, turn, mantissa_fills(format)[turn.level]);
 }

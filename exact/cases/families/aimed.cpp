@@ -47,7 +47,7 @@ Family aimed_at(std::vector<Triangle> triangles) {
   const double extent = extent_of(triangles);
   const auto mesh = std::make_shared<const std::vector<Triangle>>(std::move(triangles));
   const auto make = [mesh, extent](Format format, std::uint64_t seed, std::uint64_t k) {
-    Draw draw(14, seed, k);
+    Draw draw(stream_of("family aimed"), seed, k);
     const auto [is_ray, level] = turn_of(k, std::size(aims));
     const Triangle exact = (*mesh)[draw.below(mesh->size())], other = (*mesh)[draw.below(mesh->size())];
     const Triangle t{in_format(exact.a, format), in_format(exact.b, format), in_format(exact.c, format)};

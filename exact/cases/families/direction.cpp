@@ -13,7 +13,7 @@ namespace tribunal {
 namespace {
 
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
-  Draw draw(19, seed, k);
+  Draw draw(stream_of("family direction"), seed, k);
   const ClassTurn turn = class_turn_of(k, direction_ratios(format).size());
   const int bits = static_cast<int>(draw.between(0, digits_of(format) / 2));
   const int ratio = draw_ratio(draw, format, direction_ratios(format)[turn.level]);

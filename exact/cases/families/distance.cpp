@@ -39,7 +39,7 @@ Triangle draw_about_origin(Draw& draw, Format format) {
 }
 
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
-  Draw draw(9, seed, k);
+  Draw draw(stream_of("family distance"), seed, k);
   const auto [is_ray, level] = turn_of(k, levels(format).size());
   const bool about_origin = draw.below(2) == 0;
   const Triangle t = about_origin ? draw_about_origin(draw, format) : draw_triangle(draw, format);

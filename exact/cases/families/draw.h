@@ -6,14 +6,17 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "exact/cases/families/streams.h"
+
 namespace tribunal {
 
-/// The stream of case k of a family under a seed. One draw per statement: argument order is unspecified in C++.
+/// The stream of case k of a family, or another owner in streams.h, under a seed. One draw per statement: argument
+/// order is unspecified in C++.
 class Draw {
  public:
-  Draw(std::uint32_t family, std::uint64_t seed, std::uint64_t k)
+  Draw(std::uint32_t stream, std::uint64_t seed, std::uint64_t k)
       : key_{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)},
-        counter_{0, family, static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(k >> 32)} {}
+        counter_{0, stream, static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(k >> 32)} {}
 
   std::uint64_t next() {
     if (half_ == 0) next_block();

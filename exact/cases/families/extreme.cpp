@@ -9,7 +9,7 @@ namespace tribunal {
 namespace {
 
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
-  Draw draw(17, seed, k);
+  Draw draw(stream_of("family extreme"), seed, k);
   const auto scales = extreme_scales(format);
   const ClassTurn turn = class_turn_of(k, scales.size());
   AffineMap map =

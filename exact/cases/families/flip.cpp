@@ -38,7 +38,7 @@ void bisect(const Query& query, double& x, double out, Format format, bool keep_
 }
 
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
-  Draw draw(11, seed, k);
+  Draw draw(stream_of("family flip"), seed, k);
   const bool is_ray = turn_of(k, 1).is_ray;
   const Triangle t = draw_triangle(draw, format);
   const Point3 n = draw_point(draw, format);

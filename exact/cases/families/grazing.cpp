@@ -14,7 +14,7 @@ constexpr int slopes_32[] = {1, 5, 10, 16, 22};
 constexpr auto levels = by_format<slopes_64, slopes_32>;
 
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
-  Draw draw(8, seed, k);
+  Draw draw(stream_of("family grazing"), seed, k);
   const auto [is_ray, level] = turn_of(k, levels(format).size());
   const Triangle t = draw_triangle(draw, format);
   const Point3 x = draw_in_plane(draw, format, t);

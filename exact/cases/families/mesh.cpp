@@ -47,7 +47,7 @@ Point3 mapped(const AffineMap& map, const std::array<int, 3>& x) {
 }
 
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
-  Draw draw(13, seed, k);
+  Draw draw(stream_of("family mesh"), seed, k);
   const auto [is_ray, level] = turn_of(k, levels(format).size());
   const AffineMap map = draw_map(draw, levels(format)[level]);
   const Solid& shape = solid(draw.below(2) == 0);

@@ -22,7 +22,7 @@ Segment draw_touching(Draw& draw, Format format, std::size_t kind, Triangle& t) 
 }
 
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
-  Draw draw(6, seed, k);
+  Draw draw(stream_of("family midpoint"), seed, k);
   const auto [is_ray, kind] = turn_of(k, std::size(kinds_of_midpoint));
   Triangle t = draw_triangle(draw, format);
   const Segment s = draw_touching(draw, format, kind, t);

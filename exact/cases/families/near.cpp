@@ -12,7 +12,7 @@ constexpr int steps[] = {0, 1, 2, 8, 64, 1024};
 std::span<const int> levels(Format) { return steps; }
 
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
-  Draw draw(10, seed, k);
+  Draw draw(stream_of("family near"), seed, k);
   const auto [is_ray, level] = turn_of(k, levels(format).size());
   Triangle t = draw_triangle(draw, format);
   const double along = draw_real(draw, format);

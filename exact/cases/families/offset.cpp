@@ -13,7 +13,7 @@ constexpr auto levels = by_format<offsets_64, offsets_32>;
 
 /// Entries of at most digits − 5 bits leave 2^digits − 7·2^bits ≥ 2^(digits−1) of room: more than any level.
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
-  Draw draw(3, seed, k);
+  Draw draw(stream_of("family offset"), seed, k);
   const ClassTurn turn = class_turn_of(k, levels(format).size());
   AffineMap map = draw_map(draw, static_cast<int>(draw.between(0, digits_of(format) - 5)));
   const std::int64_t far = std::int64_t{1} << levels(format)[turn.level];

@@ -12,7 +12,7 @@ constexpr int axis_counts[] = {1, 2, 3};
 std::span<const int> levels(Format) { return axis_counts; }
 
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
-  Draw draw(18, seed, k);
+  Draw draw(stream_of("family overflow"), seed, k);
   const ClassTurn turn = class_turn_of(k, std::size(axis_counts));
   AffineMap map = draw_placed_map(draw, format, static_cast<int>(draw.between(0, digits_of(format) - 4)));
   const int lowest = least_exponent(format) + digits_of(format) + image_bits;

@@ -14,7 +14,7 @@ constexpr auto levels = by_format<scales_64, scales_32>;
 /// Entries in {−1, 0, 1} keep |M·x| ≤ 7, so that 7·2¹⁰²⁰ and 7·2¹²⁴ are finite and multiples of the least subnormal
 /// are exact.
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
-  Draw draw(4, seed, k);
+  Draw draw(stream_of("family scale"), seed, k);
   const auto scales = levels(format);
   const ClassTurn turn = class_turn_of(k, scales.size());
   AffineMap map = draw_map(draw, 0);

@@ -9,7 +9,7 @@ namespace {
 constexpr auto levels = lattice_bits;
 
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
-  Draw draw(12, seed, k);
+  Draw draw(stream_of("family shared"), seed, k);
   const auto [is_ray, level] = turn_of(k, levels(format).size());
   const int n = levels(format)[level];
   const Point3 a = draw_lattice_point(draw, n, 2), b = draw_lattice_point(draw, n, 2);

@@ -16,7 +16,7 @@ Triangle operator*(double f, const Triangle& t) { return {f * t.a, f * t.b, f * 
 Segment operator*(double f, const Segment& s) { return {f * s.p, f * s.q}; }
 
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
-  Draw draw(20, seed, k);
+  Draw draw(stream_of("family size"), seed, k);
   const auto [is_ray, level] = turn_of(k, geometry_sizes(format).size());
   const double size = std::ldexp(1.0, geometry_sizes(format)[level]);
   const Triangle t = draw_triangle(draw, format);

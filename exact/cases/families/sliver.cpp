@@ -14,7 +14,7 @@ constexpr int aspects_32[] = {0, 5, 10, 15, 20};
 constexpr auto levels = by_format<aspects_64, aspects_32>;
 
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
-  Draw draw(7, seed, k);
+  Draw draw(stream_of("family sliver"), seed, k);
   const auto [is_ray, level] = turn_of(k, levels(format).size());
   Triangle t = draw_triangle(draw, format);
   const double along = 0.5 + 0.5 * draw_real(draw, format);

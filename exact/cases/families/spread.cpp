@@ -10,7 +10,7 @@ namespace tribunal {
 namespace {
 
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
-  Draw draw(16, seed, k);
+  Draw draw(stream_of("family spread"), seed, k);
   const auto [is_ray, level] = turn_of(k, coordinate_spreads(format).size());
   Point3 v[5];
   for (int axis = 0; axis < 3; ++axis) {

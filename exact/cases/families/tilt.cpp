@@ -43,7 +43,7 @@ void tilt_direction(Point3& d, int axis, int tilt, Format format) {
 }
 
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
-  Draw draw(15, seed, k);
+  Draw draw(stream_of("family tilt"), seed, k);
   const ClassTurn turn = class_turn_of(k, levels(format).size());
   const int tilt = levels(format)[turn.level];
   const int bits = static_cast<int>(draw.between(1, bits_of(format)));

@@ -31,7 +31,7 @@ Float moved(Float x, std::int64_t n) {
 }
 
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
-  Draw draw(2, seed, k);
+  Draw draw(stream_of("family ulp"), seed, k);
   const ClassTurn turn = class_turn_of(k, steps(format).size());
   const int bits = mantissa_fills(format)[draw.below(mantissa_fills(format).size())];
   Trial trial = affine_image(format, draw, turn, bits);

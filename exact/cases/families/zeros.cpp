@@ -11,7 +11,7 @@ constexpr int no_levels[] = {0};
 std::span<const int> levels(Format) { return no_levels; }
 
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
-  Draw draw(5, seed, k);
+  Draw draw(stream_of("family zeros"), seed, k);
   const AffineMap map = draw_axis_map(draw);
   Trial trial = image_of(class_turn_of(k, 1), map, format, draw, static_cast<int>(draw.between(-12, 12)));
   for (Point3* v : vectors_of(trial.query).v) {

@@ -6,7 +6,7 @@ namespace tribunal {
 namespace {
 
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
-  Draw draw(101, seed, k);
+  Draw draw(stream_of("polygon family affine"), seed, k);
   const std::span<const int> fills = polygon_fills(format);
   const Aim aim = draw_aim(k, fills.size(), draw);
   return image_of(aim, draw_polygon_map(draw, format, fills[aim.turn.level]), format, draw);

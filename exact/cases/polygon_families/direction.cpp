@@ -9,7 +9,7 @@ namespace tribunal {
 namespace {
 
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
-  Draw draw(113, seed, k);
+  Draw draw(stream_of("polygon family direction"), seed, k);
   const std::span<const int> ratios = direction_ratios(format);
   const Aim aim = draw_aim(k, ratios.size(), draw);
   const auto bits = static_cast<int>(draw.between(0, digits_of(format) / 2));

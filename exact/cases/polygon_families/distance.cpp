@@ -31,7 +31,7 @@ AffineMap draw_upright_map(Draw& draw, Format format, int height) {
 }
 
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
-  Draw draw(112, seed, k);
+  Draw draw(stream_of("polygon family distance"), seed, k);
   const std::span<const int> heights = levels(format);
   const Aim aim = draw_aim(k, heights.size(), draw);
   const int height = draw_up_to_level(draw, heights, aim.turn.level);

@@ -13,7 +13,7 @@ int draw_bits(Draw& draw, Format format) {
 }
 
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
-  Draw draw(110, seed, k);
+  Draw draw(stream_of("polygon family extreme"), seed, k);
   const std::span<const int> scales = extreme_scales(format);
   const Aim aim = draw_aim(k, scales.size(), draw);
   AffineMap map = draw_polygon_map(draw, format, draw_bits(draw, format));

@@ -22,7 +22,7 @@ std::vector<PlaneRing> draw_grid_rings(Draw& draw, int count) {
 }
 
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
-  Draw draw(105, seed, k);
+  Draw draw(stream_of("polygon family grid"), seed, k);
   const auto [is_ray, level] = turn_of(k, vertex_counts(format).size());
   const int bits = draw_fill(draw, format);
   const AffineMap map = draw_polygon_map(draw, format, bits);

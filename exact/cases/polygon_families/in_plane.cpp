@@ -14,7 +14,7 @@ ProbeEnds draw_ends(Draw& draw) {
 }
 
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
-  Draw draw(104, seed, k);
+  Draw draw(stream_of("polygon family in-plane"), seed, k);
   const std::span<const int> fills = polygon_fills(format);
   const PolygonTurn turn = polygon_turn_of(k, fills.size());
   const AffineMap map = draw_polygon_map(draw, format, fills[turn.level]);

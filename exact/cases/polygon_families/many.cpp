@@ -91,7 +91,7 @@ ProbeEnds draw_ends(Draw& draw, Format format, const PlanePoint& x, int bits) {
 }
 
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
-  Draw draw(108, seed, k);
+  Draw draw(stream_of("polygon family many"), seed, k);
   const std::size_t level = level_with_tail(k);
   const Wall wall = draw_wall(draw, level);
   const PlanePoint x = draw_wall_point(draw, wall);

@@ -11,7 +11,7 @@ constexpr int axis_counts[] = {1, 2, 3};
 std::span<const int> levels(Format) { return axis_counts; }
 
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
-  Draw draw(111, seed, k);
+  Draw draw(stream_of("polygon family overflow"), seed, k);
   const Aim aim = draw_aim(k, std::size(axis_counts), draw);
   const auto bits = static_cast<int>(draw.between(0, digits_of(format) - polygon_image_bits - 1));
   AffineMap map = draw_polygon_map(draw, format, bits);

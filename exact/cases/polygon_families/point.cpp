@@ -18,7 +18,7 @@ void move_by_a_unit(Draw& draw, Probe& probe, Format format) {
 }
 
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
-  Draw draw(114, seed, k);
+  Draw draw(stream_of("polygon family point"), seed, k);
   const std::span<const int> fills = polygon_fills(format);
   Aim aim = draw_aim(k, fills.size(), draw);
   const AffineMap map = draw_polygon_map(draw, format, fills[aim.turn.level]);

@@ -8,7 +8,7 @@ namespace tribunal {
 namespace {
 
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
-  Draw draw(107, seed, k);
+  Draw draw(stream_of("polygon family rounded"), seed, k);
   const auto [is_ray, level] = turn_of(k, vertex_counts(format).size());
   Star star = draw_star(draw, format, vertex_counts(format)[level]);
   return {.query = {draw_probe(is_ray, star.through, format, draw), std::move(star.polygon)},

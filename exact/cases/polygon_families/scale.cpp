@@ -12,7 +12,7 @@ constexpr int scales_32[] = {-149, -126, -75, -50, 0, 41, 42, 100, 119};
 constexpr auto levels = by_format<scales_64, scales_32>;
 
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
-  Draw draw(102, seed, k);
+  Draw draw(stream_of("polygon family scale"), seed, k);
   const std::span<const int> scales = levels(format);
   const Aim aim = draw_aim(k, scales.size(), draw);
   AffineMap map = draw_map(draw, 0);

@@ -16,7 +16,7 @@ int draw_count(Draw& draw) {
 }
 
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
-  Draw draw(116, seed, k);
+  Draw draw(stream_of("polygon family size"), seed, k);
   const auto [is_ray, level] = turn_of(k, geometry_sizes(format).size());
   const double size = std::ldexp(1.0, geometry_sizes(format)[level]);
   Star star = draw_star(draw, format, draw_count(draw));

@@ -71,7 +71,7 @@ void move_one(Draw& draw, Query& query, Format format) {
 }
 
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
-  Draw draw(115, seed, k);
+  Draw draw(stream_of("polygon family spread"), seed, k);
   const auto [is_ray, level] = turn_of(k, coordinate_spreads(format).size());
   const auto across = static_cast<int>(draw.below(3));
   const auto bend = static_cast<Bend>(draw.below(3));

@@ -20,7 +20,7 @@ Point3& draw_vector(Draw& draw, Query& query) {
 }
 
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
-  Draw draw(103, seed, k);
+  Draw draw(stream_of("polygon family ulp"), seed, k);
   const Aim aim = draw_aim(k, std::size(steps), draw);
   const int bits = draw_fill(draw, format);
   const AffineMap map = draw_polygon_map(draw, format, bits);

@@ -23,7 +23,7 @@ PolygonData draw_warped(Draw& draw, const AffineMap& map) {
 }
 
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
-  Draw draw(106, seed, k);
+  Draw draw(stream_of("polygon family warped"), seed, k);
   const auto [is_ray, level] = turn_of(k, polygon_fills(format).size());
   const AffineMap map = draw_polygon_map(draw, format, polygon_fills(format)[level]);
   PolygonData polygon = draw_warped(draw, map);

@@ -17,7 +17,7 @@ void draw_signs_of_zeros(Draw& draw, Point3& v) {
 }
 
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
-  Draw draw(109, seed, k);
+  Draw draw(stream_of("polygon family zeros"), seed, k);
   const Aim aim = draw_aim(k, std::size(no_levels), draw);
   const AffineMap map = draw_axis_map(draw);
   const auto direction_scale = static_cast<int>(draw.between(-12, 12));

@@ -34,10 +34,10 @@ template <std::size_t Factors = 1, class Operands, class Decide>
 auto decide_exactly(const Operands& operands, const Decide& decide)
     -> Staged<decltype(decide(operands, RationalKernel{}))> {
   if (Operands moved = operands; moved.move_to_grid(grid_bits<3>)) {
-    return {decide(moved, GridKernel{}), Stage::expansion};
+    return {decide(moved, GridKernel{}), Stage::integers};
   }
   if (Operands moved = operands; moved.move_to_grid(grid_bits<6>)) {
-    return {decide(moved, IntegerKernel<6 * Factors>{}), Stage::expansion};
+    return {decide(moved, IntegerKernel<6 * Factors>{}), Stage::integers};
   }
   const DefaultRounding in_this_scope;
   return {decide(operands, RationalKernel{}), Stage::exact};

@@ -11,7 +11,7 @@ namespace {
 
 __extension__ using Wide = __int128;
 
-enum Stream : std::uint32_t { polygon_stream = 950, probe_stream };
+enum Stream : std::uint32_t { polygon_stream = stream_of("benchmark polygons"), probe_stream };
 
 /// Steps of the grid in the polygon's frame from its centre to its farthest vertex.
 constexpr double radius = 1 << 20;

@@ -9,7 +9,7 @@
 namespace tribunal::bench {
 namespace {
 
-enum Stream : std::uint32_t { random_stream = 900, triangle_stream, degenerate_stream };
+enum Stream : std::uint32_t { random_stream = stream_of("benchmark pairs"), triangle_stream, degenerate_stream };
 
 Point3 unit_point(Draw& draw) {
   Point3 p;

@@ -228,7 +228,7 @@ void print_share_past_the_filter() {
     tally += hits(table.segments(), table.triangles(), hit);
   }
   std::printf("past the filter: %llu of %zu random pairs\n",
-              static_cast<unsigned long long>(tally[Stage::expansion] + tally[Stage::exact]), n * rounds);
+              static_cast<unsigned long long>(tally[Stage::integers] + tally[Stage::exact]), n * rounds);
 }
 
 }  // namespace

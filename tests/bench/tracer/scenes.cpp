@@ -10,7 +10,7 @@
 namespace tribunal::bench {
 namespace {
 
-constexpr std::uint32_t ray_stream = 910;
+constexpr std::uint32_t ray_stream = stream_of("benchmark rays");
 
 Point3 rounded(const Point3& p) { return in_format(p, Format::binary32); }
 

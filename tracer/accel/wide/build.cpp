@@ -17,7 +17,6 @@
 namespace tribunal {
 namespace {
 
-constexpr int deepest_by_cost = 48;         ///< below this, medians halve what is left, so the depth stays bounded
 constexpr std::size_t worth_a_task = 4096;  ///< primitives; fixed, so that the tree does not depend on threads
 constexpr float beyond = 0x1p100F;
 
@@ -65,7 +64,7 @@ using Nodes = std::vector<WideNode, LargePages<WideNode>>;
 struct Part {
   Refs refs;
   Extent extent;
-  int level = 0;
+  std::uint32_t cuts = 0;  ///< that it came of
 };
 
 Extent extent_of(Refs refs) {
@@ -165,7 +164,7 @@ class WideBuilder {
   static std::size_t part_by_number(const Part& p) {
     const Float4 size = p.extent.centres.hi - p.extent.centres.lo;
     const int axis = size[0] >= size[1] && size[0] >= size[2] ? 0 : size[1] >= size[2] ? 1 : 2;
-    const std::size_t middle = p.refs.size() / 2;
+    const std::size_t middle = half_of(p.refs.size());
     std::nth_element(p.refs.begin(), p.refs.begin() + static_cast<std::ptrdiff_t>(middle), p.refs.end(),
                      [axis](const BuildRef& a, const BuildRef& b) {
                        return std::pair(a.centre()[axis], a.id) < std::pair(b.centre()[axis], b.id);
@@ -174,10 +173,10 @@ class WideBuilder {
   }
 
   static std::pair<Part, Part> cut(const Part& p) {
-    std::size_t middle = p.level < deepest_by_cost ? part_by_cost(p) : 0;
+    std::size_t middle = p.cuts < most_cuts_by_cost ? part_by_cost(p) : 0;
     if (middle == 0 || middle == p.refs.size()) middle = part_by_number(p);
     const Refs left = p.refs.first(middle), right = p.refs.subspan(middle);
-    return {{left, extent_in_parallel(left), p.level + 1}, {right, extent_in_parallel(right), p.level + 1}};
+    return {{left, extent_in_parallel(left), p.cuts + 1}, {right, extent_in_parallel(right), p.cuts + 1}};
   }
 
   /// Triangles are tested together; another primitive is worth a box of its own.

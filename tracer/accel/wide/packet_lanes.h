@@ -44,10 +44,8 @@ class PacketStack {
   void push(const WaitingNode& n) { nodes_[size_++] = n; }
 
  private:
-  static constexpr std::size_t depth = 48 + 28;  ///< at most, of a tree (build.cpp)
-
   std::size_t size_ = 0;
-  WaitingNode nodes_[depth * (node_width - 1) + node_width];
+  WaitingNode nodes_[most_waiting];
 };
 
 /// Pushes the children that some asking lanes enter: the one that a lane enters first on top. Whether a child is

@@ -73,10 +73,8 @@ class WaitingNodes {
   std::size_t size() const { return size_; }
 
  private:
-  static constexpr std::size_t depth = 48 + 28;  ///< at most, of a tree (build.cpp)
-
   std::size_t size_ = 0;
-  std::uint64_t keys_[depth * (node_width - 1) + node_width];
+  std::uint64_t keys_[most_waiting];
 };
 
 /// Asks for the first cache lines of a node or leaf that will be wanted.

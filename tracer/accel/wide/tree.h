@@ -41,6 +41,26 @@ class NodeRef {
   std::uint32_t bits_ = 0;
 };
 
+/// The builder cuts a set in two where the two parts are cheapest, but no set that came of this many cuts: from there
+/// on it halves.
+inline constexpr std::uint32_t most_cuts_by_cost = 48;
+
+/// The left half of a set of n; the right one has the odd primitive.
+constexpr std::size_t half_of(std::size_t n) { return n / 2; }
+
+/// How often n primitives are halved at most until each is alone.
+constexpr std::uint32_t most_halvings(std::size_t n) { return n < 2 ? 0 : 1 + most_halvings(n - half_of(n)); }
+
+/// Cuts between the whole set and a leaf at most. A single primitive is always a leaf, so after the cuts by cost no set
+/// is halved more often than the largest tree would have to be.
+inline constexpr std::uint32_t most_cuts = most_cuts_by_cost + most_halvings(NodeRef::most_primitives);
+static_assert(most_cuts == 48 + 27);
+
+/// Nodes and leaves that wait at once in a walk at most. Each node is at least one cut below its parent and a leaf is
+/// no node, so that no path has more than `most_cuts` nodes; while the last one's children wait, the others on the path
+/// have all but one of their children waiting.
+inline constexpr std::size_t most_waiting = most_cuts * (node_width - 1) + 1;
+
 /// Where the boxes' binary32 coordinates live: X = (x − centre)·unit, so that a mesh keeps sharp boxes however far from
 /// the origin it lies. `unit` is a power of two; it makes the largest |X| about 1 where its own range allows.
 struct Frame {
