@@ -17,12 +17,12 @@ cmake --install "$BUILD_DIR" --prefix "$scratch/prefix" >"$scratch/log"
 {
   echo 'cmake_minimum_required(VERSION 3.25)'
   echo 'project(examples LANGUAGES CXX)'
-  echo 'find_package(tribunal REQUIRED)'
+  echo 'find_package(tribunal REQUIRED COMPONENTS tree)'
   for example in "${examples[@]}"; do
     name=$(basename "$example" .cpp)
     echo "add_executable($name $name.cpp)"
     echo "target_compile_options($name PRIVATE -Wall -Wextra -Werror)"
-    echo "target_link_libraries($name PRIVATE tribunal::tracer)"
+    echo "target_link_libraries($name PRIVATE tribunal::tree)"
   done
 } >"$scratch/CMakeLists.txt"
 cmake -G Ninja -S "$scratch" -B "$scratch/build" -DCMAKE_PREFIX_PATH="$scratch/prefix" -DCMAKE_CXX_COMPILER="$CXX" \

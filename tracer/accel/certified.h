@@ -5,6 +5,7 @@
 #include "exact/filtered/rounded_parameter.h"
 #include "tracer/accel/triangle_tree.h"
 #include "tracer/accel/wide/closest.h"
+#include "tracer/accel/wide/tree.h"
 
 namespace tribunal {
 

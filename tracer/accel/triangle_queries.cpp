@@ -96,16 +96,16 @@ constexpr std::size_t first_alone = 56;  ///< segments after a packet of such as
 
 bool TriangleTree::any(const Ray& ray) const {
   const DefaultRounding in_this_scope;
-  return any_alone(tree_, ray);
+  return any_alone(*tree_, ray);
 }
 
 bool TriangleTree::any(const Segment& way) const {
   const DefaultRounding in_this_scope;
-  return any_alone(tree_, way);
+  return any_alone(*tree_, way);
 }
 
 void TriangleTree::any(std::span<const Ray> rays, std::span<std::uint8_t> met) const {
-  one_by_one(rays, met, [&](const Ray& r) { return any_alone(tree_, r); });
+  one_by_one(rays, met, [&](const Ray& r) { return any_alone(*tree_, r); });
 }
 
 void TriangleTree::any(std::span<const Segment> ways, std::span<std::uint8_t> met) const {
@@ -114,11 +114,11 @@ void TriangleTree::any(std::span<const Segment> ways, std::span<std::uint8_t> me
   LanesAtWork of_late;
   for (std::size_t from = 0, alone = first_alone; from < ways.size();) {
     const std::span<const Segment> some = ways.subspan(from, std::min(packet_size, ways.size() - from));
-    of_late += any_together(tree_, some, met.data() + from);
+    of_late += any_together(*tree_, some, met.data() + from);
     from += some.size();
     const bool alike = of_late.share() > LanesAtWork::alike;
     const std::size_t end = alike ? from : std::min(from + alone, ways.size());
-    for (; from < end; ++from) met[from] = any_alone(tree_, ways[from]);
+    for (; from < end; ++from) met[from] = any_alone(*tree_, ways[from]);
     alone = alike ? first_alone : 4 * alone;
     of_late.forget_some();
   }
@@ -126,29 +126,29 @@ void TriangleTree::any(std::span<const Segment> ways, std::span<std::uint8_t> me
 
 std::vector<Nearest> TriangleTree::all(const Ray& ray) const {
   const DefaultRounding in_this_scope;
-  return all_alone(tree_, ray);
+  return all_alone(*tree_, ray);
 }
 
 void TriangleTree::all(std::span<const Ray> rays, std::span<std::vector<Nearest>> hits) const {
-  one_by_one(rays, hits, [&](const Ray& r) { return all_alone(tree_, r); });
+  one_by_one(rays, hits, [&](const Ray& r) { return all_alone(*tree_, r); });
 }
 
 Parity TriangleTree::parity(const Ray& ray) const {
   const DefaultRounding in_this_scope;
-  return parity_alone(tree_, ray);
+  return parity_alone(*tree_, ray);
 }
 
 void TriangleTree::parity(std::span<const Ray> rays, std::span<Parity> counts) const {
-  one_by_one(rays, counts, [&](const Ray& r) { return parity_alone(tree_, r); });
+  one_by_one(rays, counts, [&](const Ray& r) { return parity_alone(*tree_, r); });
 }
 
 Side TriangleTree::inside(const Point3& p) const {
   const DefaultRounding in_this_scope;
-  return side_alone(tree_, p);
+  return side_alone(*tree_, p);
 }
 
 void TriangleTree::inside(std::span<const Point3> points, std::span<Side> sides) const {
-  one_by_one(points, sides, [&](const Point3& p) { return side_alone(tree_, p); });
+  one_by_one(points, sides, [&](const Point3& p) { return side_alone(*tree_, p); });
 }
 
 }  // namespace tribunal

@@ -92,13 +92,13 @@ constexpr std::size_t first_stream = batch_size - packet_size;
 }  // namespace
 
 TriangleTree::TriangleTree(std::span<const Triangle> triangles)
-    : tree_(static_cast<std::uint32_t>(triangles.size()), [&](std::uint32_t i) {
+    : tree_(std::make_shared<const WideTree>(static_cast<std::uint32_t>(triangles.size()), [&](std::uint32_t i) {
         return Primitive{box_of(triangles[i]), triangles[i]};
-      }) {}
+      })) {}
 
 std::optional<Nearest> TriangleTree::closest(const Ray& ray) const {
   const DefaultRounding in_this_scope;  // the bounds of boxes rest on it
-  return search(tree_, ray);
+  return search(*tree_, ray);
 }
 
 void TriangleTree::closest(std::span<const Ray> rays, std::span<std::optional<Nearest>> hits) const {
@@ -109,12 +109,12 @@ void TriangleTree::closest(std::span<const Ray> rays, std::span<std::optional<Ne
   };
   LanesAtWork of_late;
   for (std::size_t from = 0, in_a_stream = first_stream; from < rays.size();) {
-    of_late += search_packets(tree_, part(rays, from, packet_size), part(hits, from, packet_size));
+    of_late += search_packets(*tree_, part(rays, from, packet_size), part(hits, from, packet_size));
     from += packet_size;
     if (of_late.share() > LanesAtWork::alike) {
       in_a_stream = first_stream;
     } else if (from < rays.size()) {
-      search_stream(tree_, part(rays, from, in_a_stream), part(hits, from, in_a_stream));
+      search_stream(*tree_, part(rays, from, in_a_stream), part(hits, from, in_a_stream));
       from += in_a_stream;
       in_a_stream *= 4;
     }
@@ -122,6 +122,6 @@ void TriangleTree::closest(std::span<const Ray> rays, std::span<std::optional<Ne
   }
 }
 
-std::size_t TriangleTree::bytes() const { return tree_.bytes(); }
+std::size_t TriangleTree::bytes() const { return tree_->bytes(); }
 
 }  // namespace tribunal

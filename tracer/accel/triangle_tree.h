@@ -3,14 +3,16 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "core/operands.h"
-#include "tracer/accel/wide/tree.h"
 
 namespace tribunal {
+
+class WideTree;
 
 /// A triangle that a ray hits. Which one it is was decided by exact parameters. `t` is the parameter in double: off by
 /// less than 2⁻²⁰ of the exact one, and mostly by some units in the last place. Where the filter's bounds do not
@@ -85,7 +87,7 @@ class TriangleTree {
   std::size_t bytes() const;
 
  private:
-  WideTree tree_;
+  std::shared_ptr<const WideTree> tree_;  ///< copies of a tree share it
 };
 
 }  // namespace tribunal

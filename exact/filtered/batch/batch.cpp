@@ -85,6 +85,27 @@ Tally each_with_its_own(FilterPairs filter, const Probes& probes, const Triangle
 
 }  // namespace
 
+#if defined(__x86_64__)
+
+bool has_avx2() {
+  __builtin_cpu_init();
+  return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0 &&
+         __builtin_cpu_supports("bmi") != 0 && __builtin_cpu_supports("bmi2") != 0;
+}
+
+bool has_avx512() {
+  return has_avx2() && __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512bw") != 0 &&
+         __builtin_cpu_supports("avx512cd") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
+         __builtin_cpu_supports("avx512vl") != 0;
+}
+
+#else
+
+bool has_avx2() { return false; }
+bool has_avx512() { return false; }
+
+#endif
+
 Tally hits(const Segment& s, const TriangleColumns& t, std::span<std::uint8_t> hit) {
   return one_against_many(chosen()->one_segment, s, t, hit, one(s.p), one(s.q));
 }

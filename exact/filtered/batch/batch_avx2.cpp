@@ -6,7 +6,6 @@ static_assert(HWY_TARGET == HWY_AVX2);
 
 namespace tribunal {
 
-const BatchTarget batch_avx2 =
-    HWY_NAMESPACE::target_named("AVX2", [] { return (hwy::SupportedTargets() & HWY_AVX2) != 0; });
+const BatchTarget batch_avx2 = HWY_NAMESPACE::target_named("AVX2", has_avx2);
 
 }  // namespace tribunal

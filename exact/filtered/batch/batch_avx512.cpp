@@ -6,7 +6,6 @@ static_assert(HWY_TARGET == HWY_AVX3);
 
 namespace tribunal {
 
-const BatchTarget batch_avx512 =
-    HWY_NAMESPACE::target_named("AVX-512", [] { return (hwy::SupportedTargets() & HWY_AVX3) != 0; });
+const BatchTarget batch_avx512 = HWY_NAMESPACE::target_named("AVX-512", has_avx512);
 
 }  // namespace tribunal

@@ -19,6 +19,10 @@ struct BatchTarget {
   FilterPairs one_segment, one_ray, segments, rays;
 };
 
+/// Whether processor and system have what the file of the name is compiled for.
+bool has_avx512();
+bool has_avx2();
+
 extern const BatchTarget batch_avx512, batch_avx2, batch_portable;
 
 /// The one in use.
