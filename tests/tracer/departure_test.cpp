@@ -47,7 +47,7 @@ void check(const World& world, const Ray& ray, Visibility& eye, Departures& depa
   const HitParameter<double> h = hit_parameter<double>(ray, t);
   Point3 normal = normalised(glm::cross(t.b - t.a, t.c - t.a));
   if (glm::dot(normal, ray.d.v) > 0) normal = -normal;
-  const Landing at{ray.o, *id, ray.o + (h.num / h.den) * ray.d.v, normal};
+  const HitPoint at{ray.o, *id, ray.o + (h.num / h.den) * ray.d.v, normal};
   const RationalKernel k;
   const std::uint64_t unproved = starts.tally.starts_unproved;
   const Start start = departures.near_side(at);
@@ -103,10 +103,10 @@ TEST(Departures, SayWhereNothingCanBeProved) {
   Visibility eye(world, method("sf-filtered"), tally);
   KnownFaces faces(world);
   Departures departures(world, method("sf-filtered"), eye, faces, tally);
-  const Landing on_face{{0, 0, 0}, 0, {0, 0, 0}, {0, 0, 1}};
+  const HitPoint on_face{{0, 0, 0}, 0, {0, 0, 0}, {0, 0, 1}};
   departures.near_side(on_face);
   EXPECT_EQ(tally.starts_unproved, 1u);
-  const Landing twice{{0, 0, 1}, 0, {0, 0, 0}, {0, 0, 1}};
+  const HitPoint twice{{0, 0, 1}, 0, {0, 0, 0}, {0, 0, 1}};
   departures.far_side(twice, departures.near_side(twice));
   EXPECT_EQ(tally.starts_unproved, 2u);
 }
@@ -119,7 +119,7 @@ TEST(Departures, AreCustomaryForInexactMethods) {
   Visibility eye(world, method("sf-double"), tally);
   KnownFaces faces(world);
   Departures departures(world, method("sf-double"), eye, faces, tally);
-  const Landing at{{0, 0, 0}, 0, {0, 0, -1}, {0, 0, 1}};
+  const HitPoint at{{0, 0, 0}, 0, {0, 0, -1}, {0, 0, 1}};
   EXPECT_EQ(departures.near_side(at).point, Point3(0, 0, -1 + world.step));
   EXPECT_EQ(departures.far_side(at, {}).point, Point3(0, 0, -1 - world.step));
   EXPECT_EQ(tally.start_tests, 0u);

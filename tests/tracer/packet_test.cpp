@@ -76,7 +76,7 @@ void compare(const Scene& scene, std::uint64_t seed, int count) {
   for (std::size_t i = 0; i < rays.size(); ++i) {
     ASSERT_EQ(rays[i].face, brute.first_hit(rays[i].ray)) << "seed " << seed << " ray " << i;
     ASSERT_EQ(ways[i].met, brute.is_blocked(ways[i].way)) << "seed " << seed << " way " << i;
-    ASSERT_EQ(starts[i].met, brute.meets_any(starts[i].way, starts[i].apart)) << "seed " << seed << " start " << i;
+    ASSERT_EQ(starts[i].met, brute.meets_any(starts[i].way, starts[i].excluded)) << "seed " << seed << " start " << i;
   }
 }
 

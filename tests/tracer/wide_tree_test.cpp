@@ -57,9 +57,9 @@ ExactMeeting exact_meeting(const Segment& s, const Box& b) {
   return exact_meeting(s.p, {d(0), d(1), d(2)}, true, b);
 }
 
-struct Collector final : Finder {
+struct Collector final : CandidateQuery {
   explicit Collector(const WideTree& t) : tree(t) {}
-  bool found(const Finding& f) override {
+  bool found(const Candidate& f) override {
     ids.insert(tree.id(f.place));
     return false;
   }

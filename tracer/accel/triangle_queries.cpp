@@ -1,4 +1,4 @@
-// The tree's questions besides the closest hit, each one walk and one finder.
+// The tree's questions besides the closest hit, each one walk and one query.
 #include <stdexcept>
 
 #include "exact/filtered/stages/default_rounding.h"
@@ -10,40 +10,40 @@
 namespace tribunal {
 namespace {
 
-WideProbe with_limit(const WideTree& tree, const Ray& ray, Finder&) { return WideProbe(ray, tree.frame()); }
+WideProbe with_limit(const WideTree& tree, const Ray& ray, CandidateQuery&) { return WideProbe(ray, tree.frame()); }
 
-WideProbe with_limit(const WideTree& tree, const Segment& way, Finder& finder) {
+WideProbe with_limit(const WideTree& tree, const Segment& way, CandidateQuery& query) {
   const WideProbe probe(way, tree.frame());
-  finder.limit = probe.limit_at(1);
+  query.limit = probe.limit_at(1);
   return probe;
 }
 
-void walk(const WideTree& tree, const Ray& ray, Finder& finder) {
+void walk(const WideTree& tree, const Ray& ray, CandidateQuery& query) {
   WalkCounts uncounted;
-  tree_target().sift_ray(tree, with_limit(tree, ray, finder), ray, finder, uncounted);
+  tree_target().filter_ray(tree, with_limit(tree, ray, query), ray, query, uncounted);
 }
 
-void walk(const WideTree& tree, const Segment& way, Finder& finder) {
+void walk(const WideTree& tree, const Segment& way, CandidateQuery& query) {
   WalkCounts uncounted;
-  tree_target().sift_segment(tree, with_limit(tree, way, finder), way, finder, uncounted);
+  tree_target().filter_segment(tree, with_limit(tree, way, query), way, query, uncounted);
 }
 
 template <class P>
 bool any_alone(const WideTree& tree, const P& probe) {
   if (!is_finite(probe)) return false;
   Certified<P> judge{tree, probe};
-  AnyFinder finder(tree, judge);
-  walk(tree, probe, finder);
-  return finder.met();
+  AnyQuery query(tree, judge);
+  walk(tree, probe, query);
+  return query.met();
 }
 
 std::vector<Nearest> all_alone(const WideTree& tree, const Ray& ray) {
   std::vector<Nearest> hits;
   if (!is_finite(ray)) return hits;
   CertifiedRay judge(tree, ray);
-  AllFinder finder(tree, judge);
-  walk(tree, ray, finder);
-  for (const BoundedHit& hit : finder.in_order()) hits.push_back(judge.handed_out(hit));
+  AllQuery query(tree, judge);
+  walk(tree, ray, query);
+  for (const BoundedHit& hit : query.in_order()) hits.push_back(judge.handed_out(hit));
   return hits;
 }
 
@@ -53,10 +53,10 @@ Ray with_direction(const Ray& ray) { return ray.d.v == Point3(0) ? Ray{ray.o, {{
 Parity parity_alone(const WideTree& tree, const Ray& ray) {
   if (!is_finite(ray)) return {};
   const Ray directed = with_direction(ray);
-  CrossingFinder finder(tree, directed);
-  walk(tree, directed, finder);
-  if (finder.on_surface()) return {true, 0, 0};
-  return {false, finder.count(), finder.winding()};
+  CrossingQuery query(tree, directed);
+  walk(tree, directed, query);
+  if (query.on_surface()) return {true, 0, 0};
+  return {false, query.count(), query.winding()};
 }
 
 /// Any direction will do. This one is parallel to no axis, diagonal or plane of a lattice, so that the filter is

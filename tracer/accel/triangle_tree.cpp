@@ -27,7 +27,7 @@ class Search {
  private:
   const WideProbe& probe_;
   CertifiedRay judge_;
-  ClosestFinder<CertifiedRay> finder_;
+  ClosestQuery<CertifiedRay> finder_;
 };
 
 constexpr std::size_t batch_size = 1024;  ///< so that few walks end alone; what they need takes 300 KB of the stack
@@ -42,7 +42,7 @@ void search_batch(const WideTree& tree, std::span<const Ray> rays, std::span<std
     if (!std::isnan(probes[i].scale)) walks[count++] = searches[i].emplace(tree, rays[i], probes[i]).walk();
   }
   WalkCounts uncounted;
-  tree_target().sift_rays(tree, {walks, count}, uncounted);
+  tree_target().filter_rays(tree, {walks, count}, uncounted);
   for (std::size_t i = 0; i < rays.size(); ++i) hits[i] = searches[i] ? searches[i]->nearest() : std::nullopt;
 }
 
@@ -51,7 +51,7 @@ std::optional<Nearest> search(const WideTree& tree, const Ray& ray) {
   const WideProbe probe(ray, tree.frame());
   Search alone(tree, ray, probe);
   WalkCounts uncounted;
-  tree_target().sift_ray(tree, probe, ray, *alone.walk().finder, uncounted);
+  tree_target().filter_ray(tree, probe, ray, *alone.walk().query, uncounted);
   return alone.nearest();
 }
 

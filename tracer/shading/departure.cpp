@@ -27,17 +27,17 @@ int Departures::side_of(std::uint32_t face, const X& x) {
   return value(orient3d_exactly(known.triangle, x));
 }
 
-Point3 Departures::customary(const Landing& at, double side) const {
+Point3 Departures::customary(const HitPoint& at, double side) const {
   return in_format(at.point + side * world_.step * at.normal, world_.format);
 }
 
-double Departures::smallest_step(const Landing& at) const {
+double Departures::smallest_step(const HitPoint& at) const {
   const double roundoff = world_.format == Format::binary32 ? 0x1p-24 : 0x1p-53;
   return roundoff * std::max(greatest(at.origin), greatest(at.point));
 }
 
 /// Back from the hit by the k-th step; nothing where that is too far.
-std::optional<Point3> Departures::near_candidate(const Landing& at, int k) const {
+std::optional<Point3> Departures::near_candidate(const HitPoint& at, int k) const {
   const Point3 back = at.origin - at.point;
   const double length = greatest(back), step = k == 0 ? smallest_step(at) : std::ldexp(smallest_step(at), k);
   if (k > doublings || !(step < length)) return std::nullopt;
@@ -46,22 +46,22 @@ std::optional<Point3> Departures::near_candidate(const Landing& at, int k) const
 
 /// From the origin. Neither the face that was hit matters, if the candidate lies on the origin's side of it, nor the
 /// one that the ray left behind, if the candidate does so too.
-void Departures::lead_to(const Point3& candidate, const Landing& at, SegmentQuestion& q) {
+void Departures::lead_to(const Point3& candidate, const HitPoint& at, SegmentQuestion& q) {
   const Behind& b = at.behind;
   const bool stays = b.face != no_face && side_of(b.face, candidate) == b.side;
   q.way.p = at.origin;
   q.way.q = candidate;
-  q.apart[0] = at.face;
-  if (stays) q.apart[1] = b.face;
+  q.excluded[0] = at.face;
+  if (stays) q.excluded[1] = b.face;
 }
 
-bool Departures::is_near_start(const Landing& at, const Point3& candidate, int side) {
+bool Departures::is_near_start(const HitPoint& at, const Point3& candidate, int side) {
   ++tally_.start_candidates;
   if (side_of(at.face, candidate) != side) return false;
   if (candidate == at.origin) return true;
   SegmentQuestion q;
   lead_to(candidate, at, q);
-  return !visibility_.meets_any(q.way, q.apart);
+  return !visibility_.meets_any(q.way, q.excluded);
 }
 
 /// From the k-th candidate on, one by one; the origin is the last.
@@ -116,23 +116,23 @@ void Departures::near_sides(std::span<NearQuestion> questions) {
   }
 }
 
-Start Departures::near_side(const Landing& at) {
+Start Departures::near_side(const HitPoint& at) {
   NearQuestion q{&at};
   near_sides({&q, 1});
   return q.start;
 }
 
 template <class X>
-Behind Departures::left_behind(const Landing& at, const Start& start, const X& target) {
+Behind Departures::left_behind(const HitPoint& at, const Start& start, const X& target) {
   const bool leaves = start.side != 0 && side_of(at.face, target) == start.side;
   return leaves ? Behind{at.face, start.side} : Behind{};
 }
 
-template Behind Departures::left_behind(const Landing&, const Start&, const Point3&);
-template Behind Departures::left_behind(const Landing&, const Start&, const Direction&);
+template Behind Departures::left_behind(const HitPoint&, const Start&, const Point3&);
+template Behind Departures::left_behind(const HitPoint&, const Start&, const Direction&);
 
 /// Behind the hit by the step of `shifts` k, straight or shifted along the face.
-Point3 Departures::far_candidate(const Landing& at, int k) const {
+Point3 Departures::far_candidate(const HitPoint& at, int k) const {
   const double step = std::ldexp(smallest_step(at), k / 5);
   Point3 shift(0);
   if (k % 5 != 0) {
@@ -145,7 +145,7 @@ Point3 Departures::far_candidate(const Landing& at, int k) const {
   return in_format(at.point + step * (shift - at.normal), world_.format);
 }
 
-bool Departures::is_far_start(const Landing& at, const Point3& near, const Point3& candidate, int side) {
+bool Departures::is_far_start(const HitPoint& at, const Point3& near, const Point3& candidate, int side) {
   ++tally_.start_candidates;
   if (side_of(at.face, candidate) != -side) return false;
   const Segment way{near, candidate};
@@ -192,7 +192,7 @@ void Departures::far_sides(std::span<FarQuestion> questions) {
   }
 }
 
-Start Departures::far_side(const Landing& at, const Start& near) {
+Start Departures::far_side(const HitPoint& at, const Start& near) {
   FarQuestion q{&at, near};
   far_sides({&q, 1});
   return q.start;

@@ -43,7 +43,7 @@ struct Behind {
 };
 
 /// A hit from which rays may depart. `point` is rounded; `normal` is a unit vector on the side of the viewer.
-struct Landing {
+struct HitPoint {
   Point3 origin;  ///< of the ray that hit
   std::uint32_t face;
   Point3 point, normal;
@@ -58,14 +58,14 @@ struct Start {
 
 /// Where a ray may depart on the side from which the face was hit, and what it cost to know.
 struct NearQuestion {
-  const Landing* at = nullptr;
+  const HitPoint* at = nullptr;
   Start start{};
   Cost cost{};
 };
 
 /// Where it may depart beyond the face. `near` is the answer to the other question.
 struct FarQuestion {
-  const Landing* at = nullptr;
+  const HitPoint* at = nullptr;
   Start near;
   Start start{};
   Cost cost{};
@@ -88,26 +88,26 @@ class Departures {
   void far_sides(std::span<FarQuestion> questions);
 
   /// The same of one.
-  Start near_side(const Landing& at);
-  Start far_side(const Landing& at, const Start& near);
+  Start near_side(const HitPoint& at);
+  Start far_side(const HitPoint& at, const Start& near);
 
   /// The face itself, if a probe from a proved start to a point, or in a direction, stays strictly on the start's side
   /// of its plane, and so cannot meet it; else none. Without it each shadow ray would put the question that is
   /// hardest for a filter: whether a point one rounding off a plane lies on it.
   template <class X>
-  Behind left_behind(const Landing& at, const Start& start, const X& target);
+  Behind left_behind(const HitPoint& at, const Start& start, const X& target);
 
  private:
-  Point3 customary(const Landing& at, double side) const;
-  std::optional<Point3> near_candidate(const Landing& at, int k) const;
-  Point3 far_candidate(const Landing& at, int k) const;
+  Point3 customary(const HitPoint& at, double side) const;
+  std::optional<Point3> near_candidate(const HitPoint& at, int k) const;
+  Point3 far_candidate(const HitPoint& at, int k) const;
   bool propose_near(NearQuestion& q);
   void search_near(NearQuestion& q, int side, int k);
   void search_far(FarQuestion& q, int side, int k);
-  void lead_to(const Point3& candidate, const Landing& at, SegmentQuestion& q);
-  bool is_near_start(const Landing& at, const Point3& candidate, int side);
-  bool is_far_start(const Landing& at, const Point3& near, const Point3& candidate, int side);
-  double smallest_step(const Landing& at) const;
+  void lead_to(const Point3& candidate, const HitPoint& at, SegmentQuestion& q);
+  bool is_near_start(const HitPoint& at, const Point3& candidate, int side);
+  bool is_far_start(const HitPoint& at, const Point3& near, const Point3& candidate, int side);
+  double smallest_step(const HitPoint& at) const;
   template <class X>
   int side_of(std::uint32_t face, const X& x);
 

@@ -12,11 +12,11 @@ namespace tribunal {
 namespace {
 
 void put(ProbePacket& packet, std::size_t lane, const RayQuestion& q) {
-  packet.set(lane, q.ray.o, q.ray.d.v, q.apart, no_face);
+  packet.set(lane, q.ray.o, q.ray.d.v, q.excluded, no_face);
 }
 
 void put(ProbePacket& packet, std::size_t lane, const SegmentQuestion& q) {
-  packet.set(lane, q.way.p, q.way.q, q.apart[0], q.apart[1]);
+  packet.set(lane, q.way.p, q.way.q, q.excluded[0], q.excluded[1]);
 }
 
 Cost cost_of(const PacketAnswer& a, std::size_t lane) {
@@ -27,9 +27,9 @@ Cost cost_of(const PacketAnswer& a, std::size_t lane) {
 }  // namespace
 
 Visibility::Visibility(const World& world, const Method& method, RayTally& tally)
-    : world_(world), method_(method), sifts_(has(method, Capability::tree_lanes)), tally_(tally) {
+    : world_(world), method_(method), filters_(has(method, Capability::tree_lanes)), tally_(tally) {
   for (const PolygonData& polygon : world.polygons) {
-    if (sifts_) {
+    if (filters_) {
       filtered_.emplace_back(polygon);
       figures_.push_back(filtered_.back().figures());
     } else {
@@ -43,7 +43,7 @@ Answer Visibility::ask(const P& probe, std::uint32_t id) const {
   constexpr bool is_ray = std::is_same_v<P, Ray>;
   if (world_.polygon_of[id] >= 0) {
     const auto number = static_cast<std::size_t>(world_.polygon_of[id]);
-    if (sifts_) return filtered_[number].meet(probe);
+    if (filters_) return filtered_[number].meet(probe);
     const PreparedPolygon& polygon = prepared_[number];
     if constexpr (is_ray) return polygon.ray(probe);
     if constexpr (!is_ray) return polygon.segment(probe);
@@ -53,8 +53,8 @@ Answer Visibility::ask(const P& probe, std::uint32_t id) const {
 }
 
 template <class P>
-Answer Visibility::ask_counted(const P& probe, std::uint32_t id, std::uint32_t apart) {
-  const Answer answer = id == apart ? certain(false) : ask(probe, id);
+Answer Visibility::ask_counted(const P& probe, std::uint32_t id, std::uint32_t excluded) {
+  const Answer answer = id == excluded ? certain(false) : ask(probe, id);
   constexpr bool is_ray = std::is_same_v<P, Ray>;
   const bool hit = is_ray ? is_visible_hit(answer) : is_blocking_hit(answer);
   const bool polygon = world_.polygon_of[id] >= 0;
@@ -92,7 +92,7 @@ void Visibility::answer(std::span<Question> questions, const Together& together,
     alone(q);
     q.cost += cost_between(before, tally_);
   };
-  if (!sifts_ || world_.triangles.tree() == nullptr || questions.size() < 2) {
+  if (!filters_ || world_.triangles.tree() == nullptr || questions.size() < 2) {
     for (Question& q : questions) ask_alone(q);
     return;
   }
@@ -130,7 +130,7 @@ void Visibility::first_hits(std::span<RayQuestion> questions) {
     }
     return a.known;
   };
-  answer(questions, together, [&](RayQuestion& q) { q.face = first_hit(q.ray, q.apart); });
+  answer(questions, together, [&](RayQuestion& q) { q.face = first_hit(q.ray, q.excluded); });
 }
 
 template <bool starts, class Alone>
@@ -151,24 +151,24 @@ void Visibility::any_met(std::span<SegmentQuestion> questions, const Alone& alon
 }
 
 void Visibility::blocked(std::span<SegmentQuestion> questions) {
-  any_met<false>(questions, [&](SegmentQuestion& q) { q.met = is_blocked(q.way, q.apart[0]); });
+  any_met<false>(questions, [&](SegmentQuestion& q) { q.met = is_blocked(q.way, q.excluded[0]); });
 }
 
 void Visibility::met(std::span<SegmentQuestion> questions) {
-  any_met<true>(questions, [&](SegmentQuestion& q) { q.met = meets_any(q.way, q.apart); });
+  any_met<true>(questions, [&](SegmentQuestion& q) { q.met = meets_any(q.way, q.excluded); });
 }
 
-std::optional<std::uint32_t> Visibility::first_hit(const Ray& ray, std::uint32_t apart) {
+std::optional<std::uint32_t> Visibility::first_hit(const Ray& ray, std::uint32_t excluded) {
   if (!is_finite(ray)) return std::nullopt;
-  return world_.triangles.tree() != nullptr ? first_in_tree(ray, apart) : first_in_list(ray, apart);
+  return world_.triangles.tree() != nullptr ? first_in_tree(ray, excluded) : first_in_list(ray, excluded);
 }
 
-std::optional<std::uint32_t> Visibility::first_in_list(const Ray& ray, std::uint32_t apart) {
+std::optional<std::uint32_t> Visibility::first_in_list(const Ray& ray, std::uint32_t excluded) {
   const BoxProbe probe(ray);
   double limit = std::numeric_limits<double>::infinity();
   std::optional<std::uint32_t> best;
   world_.triangles.visit(probe, limit, waiting_, tally_, [&](std::uint32_t id) {
-    if (!is_visible_hit(ask_counted(ray, id, apart))) return false;
+    if (!is_visible_hit(ask_counted(ray, id, excluded))) return false;
     const Sign sign = best ? order(ray, id, *best) : Sign::negative;
     if (sign == Sign::negative || (sign == Sign::zero && id < *best)) best = id;
     const Span span = probe.span(world_.box(id));
@@ -178,11 +178,11 @@ std::optional<std::uint32_t> Visibility::first_in_list(const Ray& ray, std::uint
   return best;
 }
 
-/// Whether a face of which the lanes could not tell is worth a question: always of a method that sifts, which answers
+/// Whether a face of which the lanes could not tell is worth a question: always of a method that filters, which answers
 /// at the price of a box; else the probe must meet its own box by the limit, since the leaf's is that of up to eight.
 template <class P>
 bool Visibility::is_worth_asking(const P& probe, double limit, std::uint32_t id, RayTally& tally) const {
-  if (sifts_) return true;
+  if (filters_) return true;
   ++tally.box_tests;
   const Span span = BoxProbe(probe).span(world_.box(id));
   return !span.empty() && span.first <= limit;
@@ -192,32 +192,32 @@ bool Visibility::is_worth_asking(const P& probe, double limit, std::uint32_t id,
 struct Visibility::Judge {
   Visibility& eye;
   const Ray& ray;
-  std::uint32_t apart;
+  std::uint32_t excluded;
 
   bool sees(Place, std::uint32_t id, double limit) const {
-    return eye.is_worth_asking(ray, limit, id, eye.tally_) && is_visible_hit(eye.ask_counted(ray, id, apart));
+    return eye.is_worth_asking(ray, limit, id, eye.tally_) && is_visible_hit(eye.ask_counted(ray, id, excluded));
   }
   Span span(Place, std::uint32_t id) const { return BoxProbe(ray).span(eye.world_.box(id)); }
   Triangle plane(Place, std::uint32_t id) const { return eye.world_.triangles[id]; }
-  bool is_exact() const { return eye.sifts_; }
+  bool is_exact() const { return eye.filters_; }
   Sign order(const BoundedHit& a, const BoundedHit& b) const { return eye.order(ray, a.id, b.id); }
 };
 
-std::optional<std::uint32_t> Visibility::first_in_tree(const Ray& ray, std::uint32_t apart) {
+std::optional<std::uint32_t> Visibility::first_in_tree(const Ray& ray, std::uint32_t excluded) {
   const WideTree& tree = *world_.triangles.tree();
   const WideProbe probe(ray, tree.frame());
-  Judge judge{*this, ray, apart};
-  ClosestFinder finder(tree, probe, judge);
+  Judge judge{*this, ray, excluded};
+  ClosestQuery query(tree, probe, judge);
   WalkCounts counts;
-  if (sifts_) {
-    tree_target().sift_ray(tree, probe, ray, finder, counts);
+  if (filters_) {
+    tree_target().filter_ray(tree, probe, ray, query, counts);
   } else {
-    tree_target().visit_all(tree, probe, finder, counts);
+    tree_target().visit_all(tree, probe, query, counts);
   }
   tally_.box_tests += counts.boxes;
-  count_certain(counts.missed + finder.certain(), finder.certain());
-  if (!finder.best()) return std::nullopt;
-  return finder.best()->id;
+  count_certain(counts.missed + query.certain(), query.certain());
+  if (!query.best()) return std::nullopt;
+  return query.best()->id;
 }
 
 namespace {
@@ -245,34 +245,34 @@ std::uint64_t Visibility::along(const Segment& way, RayTally& tally, const Hit& 
   const WideProbe probe(way, tree->frame());
   const auto ask = [&](std::uint32_t id) { return is_worth_asking(way, 1, id, tally) && other(id); };
   const PassOn judge{hit, ask};
-  AnyFinder finder(*tree, judge);
-  finder.limit = probe.limit_at(1);
+  AnyQuery query(*tree, judge);
+  query.limit = probe.limit_at(1);
   WalkCounts counts;
-  if (sifts_) {
-    tree_target().sift_segment(*tree, probe, way, finder, counts);
+  if (filters_) {
+    tree_target().filter_segment(*tree, probe, way, query, counts);
   } else {
-    tree_target().visit_all(*tree, probe, finder, counts);
+    tree_target().visit_all(*tree, probe, query, counts);
   }
   tally.box_tests += counts.boxes;
   return counts.missed;
 }
 
-bool Visibility::is_blocked(const Segment& way, std::uint32_t apart) {
+bool Visibility::is_blocked(const Segment& way, std::uint32_t excluded) {
   if (!is_finite(way)) return false;
   bool blocked = false, certainly = false;
   const std::uint64_t missed = along(
       way, tally_, [&](std::uint32_t) { return blocked = certainly = true; },
-      [&](std::uint32_t id) { return blocked = is_blocking_hit(ask_counted(way, id, apart)); });
+      [&](std::uint32_t id) { return blocked = is_blocking_hit(ask_counted(way, id, excluded)); });
   count_certain(missed + certainly, certainly);
   return blocked;
 }
 
-bool Visibility::meets_any(const Segment& way, std::array<std::uint32_t, 2> apart) {
+bool Visibility::meets_any(const Segment& way, std::array<std::uint32_t, 2> excluded) {
   if (!is_finite(way)) return true;
   RayTally uncounted;
   bool met = false;
   std::uint64_t told = 0;
-  const auto matters = [&](std::uint32_t id) { return ++told, id != apart[0] && id != apart[1]; };
+  const auto matters = [&](std::uint32_t id) { return ++told, id != excluded[0] && id != excluded[1]; };
   const std::uint64_t missed = along(
       way, uncounted, [&](std::uint32_t id) { return met = matters(id); },
       [&](std::uint32_t id) { return met = matters(id) && is_visible_hit(ask(way, id)); });
@@ -283,7 +283,7 @@ bool Visibility::meets_any(const Segment& way, std::array<std::uint32_t, 2> apar
 bool Visibility::passes_through(const Segment& way, std::uint32_t id) {
   ++tally_.start_tests;
   if (!is_finite(way)) return false;
-  if (sifts_ && world_.polygon_of[id] >= 0) {
+  if (filters_ && world_.polygon_of[id] >= 0) {
     const FilteredPolygon& polygon = filtered_[static_cast<std::size_t>(world_.polygon_of[id])];
     if (const std::optional<bool> certain = polygon.filter_between(way)) return *certain;
   }
@@ -304,9 +304,9 @@ std::vector<std::uint32_t> candidates(const World& world, const Probe& probe) {
   if (const WideTree* tree = world.triangles.tree()) {
     const WideProbe boxes = std::visit([&](const auto& p) { return WideProbe(p, tree->frame()); }, probe);
     const PassOn judge{add, add};
-    AnyFinder finder(*tree, judge);
+    AnyQuery query(*tree, judge);
     WalkCounts uncounted;
-    tree_target().visit_all(*tree, boxes, finder, uncounted);
+    tree_target().visit_all(*tree, boxes, query, uncounted);
   } else {
     const BoxProbe boxes = std::visit([](const auto& p) { return BoxProbe(p); }, probe);
     const double limit = std::numeric_limits<double>::infinity();

@@ -31,7 +31,8 @@ inline bool is_blocking_hit(const Answer& a) { return is_visible_hit(a) && a.at 
 /// Which face a ray meets first, and what it cost to know.
 struct RayQuestion {
   Ray ray;
-  std::uint32_t apart = no_face;  ///< a face that the caller knows the ray not to meet: it counts as asked, but is not
+  std::uint32_t excluded =
+      no_face;  ///< a face that the caller knows the ray not to meet: it counts as asked, but is not
   std::optional<std::uint32_t> face{};
   Cost cost{};
 };
@@ -40,7 +41,7 @@ struct RayQuestion {
 struct SegmentQuestion {
   Segment way;
   /// Faces that are known not to be met; of `met` also faces that do not matter. `blocked` looks at the first alone.
-  std::array<std::uint32_t, 2> apart{no_face, no_face};
+  std::array<std::uint32_t, 2> excluded{no_face, no_face};
   bool met = false;
   Cost cost{};
 };
@@ -70,9 +71,9 @@ class Visibility {
   void met(std::span<SegmentQuestion> questions);
 
   /// The same of one.
-  std::optional<std::uint32_t> first_hit(const Ray& ray, std::uint32_t apart = no_face);
-  bool is_blocked(const Segment& way, std::uint32_t apart = no_face);
-  bool meets_any(const Segment& way, std::array<std::uint32_t, 2> apart);
+  std::optional<std::uint32_t> first_hit(const Ray& ray, std::uint32_t excluded = no_face);
+  bool is_blocked(const Segment& way, std::uint32_t excluded = no_face);
+  bool meets_any(const Segment& way, std::array<std::uint32_t, 2> excluded);
 
   /// Whether a segment whose ends lie strictly on either side of this face's plane meets the face. Counted as a
   /// start_test.
@@ -93,8 +94,8 @@ class Visibility {
   void count_packet(const PacketAnswer& answer);
   PacketFaces packet_faces() const;
 
-  std::optional<std::uint32_t> first_in_tree(const Ray& ray, std::uint32_t apart);
-  std::optional<std::uint32_t> first_in_list(const Ray& ray, std::uint32_t apart);
+  std::optional<std::uint32_t> first_in_tree(const Ray& ray, std::uint32_t excluded);
+  std::optional<std::uint32_t> first_in_list(const Ray& ray, std::uint32_t excluded);
 
   /// Calls hit(id) for all hits on a segment, and other(id) for faces that are to be asked, until one returns true.
   /// Returns how many triangles were certainly missed.
@@ -107,17 +108,17 @@ class Visibility {
   template <class P>
   Answer ask(const P& probe, std::uint32_t id) const;
   template <class P>
-  Answer ask_counted(const P& probe, std::uint32_t id, std::uint32_t apart);
+  Answer ask_counted(const P& probe, std::uint32_t id, std::uint32_t excluded);
   void count_certain(std::uint64_t tests, std::uint64_t hits);
   Sign order(const Ray& ray, std::uint32_t id, std::uint32_t other) const;
   double parameter(const Ray& ray, const Triangle& t) const;
 
   const World& world_;
   const Method& method_;
-  const bool sifts_;  ///< the method's filter runs on the tree's lanes
+  const bool filters_;  ///< the method's filter runs on the tree's lanes
   RayTally& tally_;
   std::vector<PreparedPolygon> prepared_;
-  std::vector<FilteredPolygon> filtered_;  ///< instead, if it sifts
+  std::vector<FilteredPolygon> filtered_;  ///< instead, if it filters
   std::vector<PolygonFigures> figures_;
   BoxedFaces::Waiting waiting_;
 };

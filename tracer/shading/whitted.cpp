@@ -90,7 +90,7 @@ void WhittedTracer::find_faces(std::size_t begin) {
   for (std::size_t i = begin; i < paths_.size(); ++i) {
     RayQuestion& q = rays_.emplace_back();
     q.ray = paths_[i].ray;
-    q.apart = paths_[i].at.behind.face;
+    q.excluded = paths_[i].at.behind.face;
   }
   visibility_.first_hits(rays_);
   for (const RayQuestion& q : rays_) {
@@ -160,7 +160,7 @@ void WhittedTracer::add_light() {
     SegmentQuestion& q = ways_.emplace_back();
     q.way.p = p.near.point;
     q.way.q = in_format(lights_[s.light].light().position, world_.format);
-    q.apart[0] = departures_.left_behind(p.at, p.near, q.way.q).face;
+    q.excluded[0] = departures_.left_behind(p.at, p.near, q.way.q).face;
   }
   visibility_.blocked(ways_);
   for (std::size_t i = 0; i < shines_.size(); ++i) {

@@ -63,7 +63,7 @@ class WhittedTracer {
     RayKind kind;
     std::uint32_t pixel;
     std::optional<std::uint32_t> face;
-    Landing at;
+    HitPoint at;
     Point3 view;
     const Material* material = nullptr;
     bool from_outside = false, departs = false;

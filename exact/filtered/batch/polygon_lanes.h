@@ -17,14 +17,14 @@ struct LaneVerdict {
 
 /// A probe a lane, with what of it does not depend on the polygon.
 template <class P>
-class PolygonSieve {
+class PolygonFilter {
  public:
   /// Sources, and targets or directions.
-  PolygonSieve(const Vec3<Lanes>& source, const Vec3<Lanes>& target) : source_(source), target_(target) {}
+  PolygonFilter(const Vec3<Lanes>& source, const Vec3<Lanes>& target) : source_(source), target_(target) {}
 
   /// The plane first: both ends certainly on one side miss. Then the parity of the edges ahead of the point, for those
   /// lanes of `asked` whose ends are certainly on two.
-  HWY_INLINE LaneVerdict sift(const PolygonFigures& f, unsigned asked) const {
+  HWY_INLINE LaneVerdict filter(const PolygonFigures& f, unsigned asked) const {
     const Vec3<Twin<Lanes>> base = twice_each(f.base);
     const Vec3<Lanes> end = is_ray ? target_ : target_ - of(f.base);
     const Vec3<Twin<Lanes>> ends = beside(source_ - first_of(base), end);

@@ -1,4 +1,4 @@
-// Which of the findings of a walk along a ray is the closest hit.
+// Which of the candidates of a walk along a ray is the closest hit.
 #pragma once
 
 #include <optional>
@@ -61,18 +61,18 @@ bool comes_before(const Judge& judge, BoundedHit hit, const BoundedHit& other) {
 }
 
 /// Keeps the closest hit: least exact t, ties by lowest id. `Judge` has
-///   bool sees(place, id, limit)   whether an uncertain finding is a hit; no matter what if that is at t > limit;
+///   bool sees(place, id, limit)   whether an uncertain candidate is a hit; beyond the limit either answer will do;
 ///   Span span(place, id)   of the ray in the box of a hit, for hits of whose t the walk knows little;
 ///   Triangle plane(place, id)   three points of the plane of a hit;
 ///   bool is_exact()   whether the hits that it sees are hits indeed, so that they lie in their boxes;
 ///   Sign order(hit, other)   sign of t₁ − t₂, asked only where bounds overlap.
 template <class Judge>
-class ClosestFinder final : public Finder {
+class ClosestQuery final : public CandidateQuery {
  public:
-  ClosestFinder(const WideTree& tree, const WideProbe& probe, Judge& judge)
+  ClosestQuery(const WideTree& tree, const WideProbe& probe, Judge& judge)
       : tree_(tree), probe_(probe), judge_(judge) {}
 
-  bool found(const Finding& f) override {
+  bool found(const Candidate& f) override {
     const std::uint32_t id = tree_.id(f.place);
     certain_ += f.certain;
     if (!f.certain && !judge_.sees(f.place, id, latest_)) return false;
@@ -91,7 +91,7 @@ class ClosestFinder final : public Finder {
  private:
   /// By the lanes' volumes; where those say little, as they do from afar, by closer ones or else by the box. Lowers
   /// latest_.
-  HitBounds bounds_of(const Finding& f, std::uint32_t id) {
+  HitBounds bounds_of(const Candidate& f, std::uint32_t id) {
     HitBounds bounds = hit_bounds(f.num, f.bound, f.den, f.bound);
     if (!bounds.are_close() && judge_.is_exact()) bounds = hit_bounds(judge_.ray, judge_.plane(f.place, id));
     latest_ = std::min(latest_, bounds.greatest);

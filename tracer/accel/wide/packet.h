@@ -20,14 +20,14 @@ inline constexpr std::size_t packet_size = 8;
 /// Probes by columns: source, and target of a segment or direction of a ray.
 struct ProbePacket {
   alignas(64) double source[3][packet_size] = {}, target[3][packet_size] = {};
-  alignas(64) double apart[2][packet_size] = {};  ///< ids of faces that do not matter to the probe
-  unsigned lanes = 0;                             ///< where a probe is, a bit each
+  alignas(64) double excluded[2][packet_size] = {};  ///< ids of faces that do not matter to the probe
+  unsigned lanes = 0;                                ///< where a probe is, a bit each
 
   void set(std::size_t lane, const Point3& from, const Point3& to, std::uint32_t face = ~0U,
            std::uint32_t other = ~0U) {
     for (int i = 0; i < 3; ++i) source[i][lane] = from[i], target[i][lane] = to[i];
-    apart[0][lane] = face;
-    apart[1][lane] = other;
+    excluded[0][lane] = face;
+    excluded[1][lane] = other;
     lanes |= 1U << lane;
   }
 };

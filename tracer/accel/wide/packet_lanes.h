@@ -99,21 +99,21 @@ HWY_INLINE void walk_together(const WideTree& tree, const ProbeColumns& probe, P
 
 /// The probes of a packet against the faces of a leaf.
 template <class P>
-class PacketSieve {
+class PacketFilter {
  public:
-  PacketSieve(const PacketFaces& faces, PacketState& state) : faces_(faces), state_(state) {}
+  PacketFilter(const PacketFaces& faces, PacketState& state) : faces_(faces), state_(state) {}
 
   /// Calls hit(id, chunk, lanes, verdict) for certain hits, of one chunk of lanes; drops lanes of which nothing is
   /// certain.
   template <class Hit>
-  HWY_INLINE void sift(NodeRef leaf, unsigned lanes, const Hit& hit) {
+  HWY_INLINE void filter(NodeRef leaf, unsigned lanes, const Hit& hit) {
     const double* const column = faces_.tree.columns(leaf);
     const std::size_t n = leaf.count();
     for (std::size_t k = 0; k < n; ++k) {
       const auto id = static_cast<std::uint32_t>(column[9 * n + k]);
       for (std::size_t c = 0; c < packet_size; c += double_lanes) {
         const unsigned asked = lanes & state_.asking & chunk_lanes << c;
-        if (asked != 0) sift_face(leaf, column + k, n, id, c, asked >> c, hit);
+        if (asked != 0) filter_face(leaf, column + k, n, id, c, asked >> c, hit);
       }
     }
   }
@@ -138,14 +138,15 @@ class PacketSieve {
   }
 
   template <class Hit>
-  HWY_INLINE void sift_face(NodeRef leaf, const double* column, std::size_t n, std::uint32_t id, std::size_t c,
-                            unsigned asked, const Hit& hit) {
+  HWY_INLINE void filter_face(NodeRef leaf, const double* column, std::size_t n, std::uint32_t id, std::size_t c,
+                              unsigned asked, const Hit& hit) {
     const bool is_triangle = leaf.holds_triangles();
     LaneVerdict verdict = is_triangle ? of_triangle(column, n, c, asked) : of_polygon(id, c, asked);
     const Lanes this_id(static_cast<double>(id));
-    const unsigned apart = equal(state_.packet.apart[0] + c, this_id) | equal(state_.packet.apart[1] + c, this_id);
-    verdict.missed |= apart;
-    verdict.hit &= asked & ~apart;
+    const unsigned excluded =
+        equal(state_.packet.excluded[0] + c, this_id) | equal(state_.packet.excluded[1] + c, this_id);
+    verdict.missed |= excluded;
+    verdict.hit &= asked & ~excluded;
     const unsigned told = asked & (verdict.missed | verdict.hit);
     PacketAnswer& answer = state_.answer;
     (is_triangle ? answer.triangle_tests : answer.polygon_tests) += static_cast<unsigned>(std::popcount(told));
@@ -191,7 +192,7 @@ class PacketSieve {
 
   HWY_INLINE LaneVerdict of_polygon(std::uint32_t id, std::size_t c, unsigned asked) const {
     const PolygonFigures& figures = faces_.polygons[static_cast<std::size_t>(faces_.polygon_of[id])];
-    return PolygonSieve<P>(load(state_.packet.source, c), load(state_.packet.target, c)).sift(figures, asked);
+    return PolygonFilter<P>(load(state_.packet.source, c), load(state_.packet.target, c)).filter(figures, asked);
   }
 
   const PacketFaces& faces_;
@@ -268,9 +269,9 @@ class ClosestLanes {
   make_ready<Ray>(packet, faces.tree.frame(), probe);
   PacketState state(packet, probe, answer);
   ClosestLanes closest(probe, state);
-  PacketSieve<Ray> sieve(faces, state);
+  PacketFilter<Ray> filter(faces, state);
   walk_together<true>(faces.tree, probe, state, [&](NodeRef leaf, unsigned lanes) {
-    sieve.sift(leaf, lanes, [&](const Lanes& id, std::size_t c, const LaneVerdict& v) { closest.add(id, c, v); });
+    filter.filter(leaf, lanes, [&](const Lanes& id, std::size_t c, const LaneVerdict& v) { closest.add(id, c, v); });
   });
   closest.finish();
   state.finish(probe.held);
@@ -283,9 +284,9 @@ class ClosestLanes {
   for (std::size_t k = 0; k < packet_size; ++k) {  // WideProbe::limit_at(1)
     state.limit[k] = static_cast<float>(std::min(probe.scale[k] * (1 + 0x1p-20) + 0x1p-100, 0x1p100));
   }
-  PacketSieve<Segment> sieve(faces, state);
+  PacketFilter<Segment> filter(faces, state);
   walk_together<false>(faces.tree, probe, state, [&](NodeRef leaf, unsigned lanes) {
-    sieve.sift(leaf, lanes, [&](const Lanes&, std::size_t c, const LaneVerdict& v) {
+    filter.filter(leaf, lanes, [&](const Lanes&, std::size_t c, const LaneVerdict& v) {
       answer.hit |= v.hit << c;
       state.asking &= ~(v.hit << c);
     });

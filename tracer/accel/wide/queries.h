@@ -1,4 +1,4 @@
-// What is asked of the findings of a walk besides the closest hit (closest.h): any hit, every hit, all crossings.
+// What is asked of the candidates of a walk besides the closest hit (closest.h): any hit, every hit, all crossings.
 #pragma once
 
 #include <algorithm>
@@ -12,13 +12,13 @@ namespace tribunal {
 
 /// Whether there is a hit. `Judge` has
 ///   bool accepts(id)   whether a certain hit counts;
-///   bool sees(place, id, limit)   whether an uncertain finding is a hit that counts.
+///   bool sees(place, id, limit)   whether an uncertain candidate is a hit that counts.
 template <class Judge>
-class AnyFinder final : public Finder {
+class AnyQuery final : public CandidateQuery {
  public:
-  AnyFinder(const WideTree& tree, Judge& judge) : tree_(tree), judge_(judge) {}
+  AnyQuery(const WideTree& tree, Judge& judge) : tree_(tree), judge_(judge) {}
 
-  bool found(const Finding& f) override {
+  bool found(const Candidate& f) override {
     const std::uint32_t id = tree_.id(f.place);
     met_ = f.certain ? judge_.accepts(id) : judge_.sees(f.place, id, std::numeric_limits<double>::infinity());
     return met_;
@@ -32,13 +32,13 @@ class AnyFinder final : public Finder {
   bool met_ = false;
 };
 
-/// Keeps every hit of a ray. `Judge` is as for ClosestFinder; its hits must be exact.
+/// Keeps every hit of a ray. `Judge` is as for ClosestQuery; its hits must be exact.
 template <class Judge>
-class AllFinder final : public Finder {
+class AllQuery final : public CandidateQuery {
  public:
-  AllFinder(const WideTree& tree, Judge& judge) : tree_(tree), judge_(judge) {}
+  AllQuery(const WideTree& tree, Judge& judge) : tree_(tree), judge_(judge) {}
 
-  bool found(const Finding& f) override {
+  bool found(const Candidate& f) override {
     const std::uint32_t id = tree_.id(f.place);
     if (!f.certain && !judge_.sees(f.place, id, std::numeric_limits<double>::infinity())) return false;
     HitBounds bounds = hit_bounds(f.num, f.bound, f.den, f.bound);
@@ -60,12 +60,12 @@ class AllFinder final : public Finder {
   std::vector<BoundedHit> hits_;
 };
 
-/// Counts how a ray crosses the triangles (exact/filtered/crossing.h). Not for walks that tell of a finding twice.
-class CrossingFinder final : public Finder {
+/// Counts how a ray crosses the triangles (exact/filtered/crossing.h). Not for walks whose candidates may come twice.
+class CrossingQuery final : public CandidateQuery {
  public:
-  CrossingFinder(const WideTree& tree, const Ray& ray) : tree_(tree), ray_(ray) {}
+  CrossingQuery(const WideTree& tree, const Ray& ray) : tree_(tree), ray_(ray) {}
 
-  bool found(const Finding& f) override {
+  bool found(const Candidate& f) override {
     const Crossing c = f.certain ? Crossing{false, f.num < 0 ? 1 : -1} : crossing(ray_, tree_.triangle(f.place));
     count_ += c.direction != 0;
     winding_ += c.direction;

@@ -2,12 +2,12 @@
 //
 // A walk is a chain: which box comes next is known only when the last one has been tested, and the branches of a walk
 // cannot be foreseen. So a single walk leaves most of a core idle. Here some dozens of walks are under way; each is cut
-// into steps without branches that depend on the tree (enter a node; sift a leaf; take out the nearest box that waits),
-// and waits in one queue for each kind of step. Queues are served in turn: the steps of one do not depend on each
-// other, so that the core overlaps them, and what a step has prefetched comes while others run. Compare Barringer and
-// Akenine-Möller, "Dynamic Ray Stream Traversal", ACM TOG 33(4), 2014; Áfra et al., "Local Shading Coherence Extraction
-// for SIMD-Efficient Path Tracing", HPG 2016, which sort rays for vector lanes; here lanes hold the boxes of a node and
-// the triangles of a leaf, as in the single walk, and what is gained is overlap.
+// into steps without branches that depend on the tree (enter a node; filter a leaf; take out the nearest box that
+// waits), and waits in one queue for each kind of step. Queues are served in turn: the steps of one do not depend on
+// each other, so that the core overlaps them, and what a step has prefetched comes while others run. Compare Barringer
+// and Akenine-Möller, "Dynamic Ray Stream Traversal", ACM TOG 33(4), 2014; Áfra et al., "Local Shading Coherence
+// Extraction for SIMD-Efficient Path Tracing", HPG 2016, which sort rays for vector lanes; here lanes hold the boxes of
+// a node and the triangles of a leaf, as in the single walk, and what is gained is overlap.
 #pragma once
 
 #include "tracer/accel/wide/probe_lanes.h"
@@ -18,13 +18,13 @@ namespace tribunal::HWY_NAMESPACE {
 /// One walk that is under way.
 struct Walker {
   const RayWalk* walk;
-  float limit;  ///< that of the finder
+  float limit;  ///< that of the query
   NodeRef at;
   WaitingBoxes waiting;
 };
 
 /// What a walker does next. The last two are neighbours: see after().
-enum Step : std::uint32_t { enter_node, sift_leaf, take_next, start_walk };
+enum Step : std::uint32_t { enter_node, filter_leaf, take_next, start_walk };
 inline constexpr std::size_t steps = 4;
 
 /// Walkers by what they do next, first come first served.
@@ -62,7 +62,7 @@ class Stream {
     do {
       start_walks();
       enter_nodes();
-      sift_leaves();
+      filter_leaves();
       take_nexts();
     } while (queues_.any_waits());
   }
@@ -73,7 +73,7 @@ class Stream {
     queues_.take_all(start_walk, [&](Walker& w) HWY_ATTR {
       if (next_ == end_) return;
       w.walk = next_++;
-      w.limit = w.walk->finder->limit;
+      w.limit = w.walk->query->limit;
       w.waiting.clear();
       go_to(tree_.root(), w);
     });
@@ -91,12 +91,12 @@ class Stream {
     counts_.boxes += std::uint64_t{nodes} * node_width;
   }
 
-  HWY_INLINE void sift_leaves() {
-    queues_.take_all(sift_leaf, [&](Walker& w) HWY_ATTR {
-      LeafSieve<Ray>(*w.walk->ray).sift(tree_, w.at, sifted_, counts_);
-      if (sifted_.rest != 0) {
-        sifted_.tell(w.at, *w.walk->finder);
-        w.limit = w.walk->finder->limit;
+  HWY_INLINE void filter_leaves() {
+    queues_.take_all(filter_leaf, [&](Walker& w) HWY_ATTR {
+      LeafFilter<Ray>(*w.walk->ray).filter(tree_, w.at, filtered_, counts_);
+      if (filtered_.rest != 0) {
+        filtered_.tell(w.at, *w.walk->query);
+        w.limit = w.walk->query->limit;
       }
       queues_.add(after(w), &w);
     });
@@ -124,7 +124,7 @@ class Stream {
   /// A walk in so deep a tree, or among so many boxes, that too many wait: starts again on its own, where proof bounds
   /// them, with what it has found.
   HWY_NOINLINE void finish_alone(Walker& w) {
-    sift<Ray>(tree_, *w.walk->probe, *w.walk->ray, *w.walk->finder, counts_);
+    filter<Ray>(tree_, *w.walk->probe, *w.walk->ray, *w.walk->query, counts_);
     queues_.add(start_walk, &w);
   }
 
@@ -134,14 +134,16 @@ class Stream {
   const RayWalk* const end_;
   WalkCounts& counts_;
   StepQueues queues_;
-  Sifted sifted_;
+  Filtered filtered_;
   Walker walkers_[StepQueues::walkers];
 };
 
-[[gnu::flatten]] inline void sift_rays(const WideTree& tree, std::span<const RayWalk> walks, WalkCounts& counts) {
+[[gnu::flatten]] inline void filter_rays(const WideTree& tree, std::span<const RayWalk> walks, WalkCounts& counts) {
   if (!tree.empty()) Stream(tree, walks, counts).run();
 }
 
-inline constexpr TreeTarget tree_target_here() { return {sift<Ray>, sift<Segment>, visit_all, make_probes, sift_rays}; }
+inline constexpr TreeTarget tree_target_here() {
+  return {filter<Ray>, filter<Segment>, visit_all, make_probes, filter_rays};
+}
 
 }  // namespace tribunal::HWY_NAMESPACE

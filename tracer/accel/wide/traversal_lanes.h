@@ -6,7 +6,7 @@
 #include <bit>
 
 #include "tracer/accel/wide/box_lanes.h"
-#include "tracer/accel/wide/sieve_lanes.h"
+#include "tracer/accel/wide/leaf_filter.h"
 
 namespace tribunal::HWY_NAMESPACE {
 
@@ -120,9 +120,9 @@ HWY_INLINE std::uint64_t first_of(const Prefetcher& prefetch, const WideNode& no
   return waiting.pop();
 }
 
-/// Calls leaf(ref) for every leaf that may be met by the finder's limit, nearer ones first, until it returns true.
+/// Calls leaf(ref) for every leaf that may be met by the query's limit, nearer ones first, until it returns true.
 template <class Leaf>
-HWY_INLINE void walk(const WideTree& tree, const WideProbe& probe, const Finder& finder, WalkCounts& counts,
+HWY_INLINE void walk(const WideTree& tree, const WideProbe& probe, const CandidateQuery& query, WalkCounts& counts,
                      const Leaf& leaf) {
   if (tree.empty()) return;
   const BoxLanes lanes(probe);
@@ -138,7 +138,7 @@ HWY_INLINE void walk(const WideTree& tree, const WideProbe& probe, const Finder&
       const WideNode& node = nodes[at.index()];
       float entry[node_width];
       counts.boxes += node_width;
-      const unsigned met = lanes.entered(node, finder.limit, entry);
+      const unsigned met = lanes.entered(node, query.limit, entry);
       descend = met != 0;
       if (descend) at = NodeRef(static_cast<std::uint32_t>(first_of(prefetch, node, met, entry, waiting)));
     }
@@ -146,26 +146,26 @@ HWY_INLINE void walk(const WideTree& tree, const WideProbe& probe, const Finder&
       if (waiting.empty()) return;
       const std::uint64_t key = waiting.pop();
       at = NodeRef(static_cast<std::uint32_t>(key));
-      descend = std::bit_cast<float>(static_cast<std::uint32_t>(key >> 32)) <= finder.limit;
+      descend = std::bit_cast<float>(static_cast<std::uint32_t>(key >> 32)) <= query.limit;
     }
   }
 }
 
 template <class P>
-[[gnu::flatten]] void sift(const WideTree& tree, const WideProbe& probe, const P& exact_probe, Finder& finder,
-                           WalkCounts& counts) {
-  const LeafSieve<P> sieve(exact_probe);
-  Sifted sifted;
-  walk(tree, probe, finder, counts, [&](NodeRef leaf) HWY_ATTR {
-    if (!leaf.holds_triangles()) return tell_all(leaf, finder);
-    sieve.sift(tree, leaf, sifted, counts);
-    return sifted.rest != 0 && sifted.tell(leaf, finder);
+[[gnu::flatten]] void filter(const WideTree& tree, const WideProbe& probe, const P& exact_probe, CandidateQuery& query,
+                             WalkCounts& counts) {
+  const LeafFilter<P> filter(exact_probe);
+  Filtered filtered;
+  walk(tree, probe, query, counts, [&](NodeRef leaf) HWY_ATTR {
+    if (!leaf.holds_triangles()) return tell_all(leaf, query);
+    filter.filter(tree, leaf, filtered, counts);
+    return filtered.rest != 0 && filtered.tell(leaf, query);
   });
 }
 
-[[gnu::flatten]] inline void visit_all(const WideTree& tree, const WideProbe& probe, Finder& finder,
+[[gnu::flatten]] inline void visit_all(const WideTree& tree, const WideProbe& probe, CandidateQuery& query,
                                        WalkCounts& counts) {
-  walk(tree, probe, finder, counts, [&](NodeRef leaf) { return tell_all(leaf, finder); });
+  walk(tree, probe, query, counts, [&](NodeRef leaf) { return tell_all(leaf, query); });
 }
 
 }  // namespace tribunal::HWY_NAMESPACE

@@ -8,23 +8,23 @@
 
 namespace tribunal::HWY_NAMESPACE {
 
-/// What a sieve leaves of a leaf: a bit each for triangles that are not certainly missed, are certainly hit, and of
+/// What a filter leaves of a leaf: a bit each for triangles that are not certainly missed, are certainly hit, and of
 /// which the filter may be asked; the sides of those, up to ±bound.
-struct Sifted {
+struct Filtered {
   unsigned rest = 0, hit = 0, safe = 0;
   double source[leaf_size], toward[leaf_size], bound[leaf_size];
 
-  /// Tells of them, until the finder has enough.
-  HWY_NOINLINE bool tell(NodeRef leaf, Finder& finder) const {
+  /// Tells of them, until the query has enough.
+  HWY_NOINLINE bool tell(NodeRef leaf, CandidateQuery& query) const {
     for (unsigned left = rest; left != 0; left &= left - 1) {
       const auto k = static_cast<std::uint32_t>(std::countr_zero(left));
       const bool known = (safe >> k & 1) != 0;
-      const Finding finding{{leaf, k},
-                            (hit >> k & 1) != 0,
-                            source[k],
-                            -toward[k],
-                            known ? bound[k] : std::numeric_limits<double>::infinity()};
-      if (finder.found(finding)) return true;
+      const Candidate candidate{{leaf, k},
+                                (hit >> k & 1) != 0,
+                                source[k],
+                                -toward[k],
+                                known ? bound[k] : std::numeric_limits<double>::infinity()};
+      if (query.found(candidate)) return true;
     }
     return false;
   }
@@ -32,31 +32,31 @@ struct Sifted {
 
 /// The probe and the filter's constants in every lane.
 template <class P>
-class LeafSieve {
+class LeafFilter {
  public:
-  explicit LeafSieve(const P& probe)
+  explicit LeafFilter(const P& probe)
       : source_(broadcast(tribunal::source(probe))), target_(broadcast(vector_of(tribunal::target(probe)))) {}
 
-  HWY_INLINE void sift(const WideTree& tree, NodeRef leaf, Sifted& sifted, WalkCounts& counts) const {
+  HWY_INLINE void filter(const WideTree& tree, NodeRef leaf, Filtered& filtered, WalkCounts& counts) const {
     const double* const column = tree.columns(leaf);
     const std::size_t count = leaf.count();
     constexpr std::size_t step = HWY_LANES(double);
     unsigned missed = 0;
-    sifted.hit = sifted.safe = 0;
+    filtered.hit = filtered.safe = 0;
     for (std::size_t from = 0; from < count; from += step) {
       const LiftedTriangle<Lanes> t{vertex(column + from, 0, count), vertex(column + from, 1, count),
                                     vertex(column + from, 2, count)};
       const auto certain = conclude<P>(arms_of_lanes<P>(source_, target_, t), constants_);
-      sifted.safe |= certain.safe.bits() << from;
+      filtered.safe |= certain.safe.bits() << from;
       missed |= certain.miss.bits() << from;
-      sifted.hit |= certain.hit.bits() << from;
-      hn::StoreU(certain.volumes.sides.source.v, tag, sifted.source + from);
-      hn::StoreU(certain.volumes.sides.toward.v, tag, sifted.toward + from);
-      hn::StoreU(certain.bound.v, tag, sifted.bound + from);
+      filtered.hit |= certain.hit.bits() << from;
+      hn::StoreU(certain.volumes.sides.source.v, tag, filtered.source + from);
+      hn::StoreU(certain.volumes.sides.toward.v, tag, filtered.toward + from);
+      hn::StoreU(certain.bound.v, tag, filtered.bound + from);
     }
     const unsigned present = (1U << count) - 1;
     counts.missed += static_cast<unsigned>(std::popcount(missed & present));
-    sifted.rest = present & ~missed;
+    filtered.rest = present & ~missed;
   }
 
  private:
@@ -74,9 +74,9 @@ class LeafSieve {
 };
 
 /// Tells of all primitives of a leaf, with nothing known of them.
-inline bool tell_all(NodeRef leaf, Finder& finder) {
+inline bool tell_all(NodeRef leaf, CandidateQuery& query) {
   for (std::uint32_t lane = 0; lane < leaf.count(); ++lane) {
-    if (finder.found({{leaf, lane}, false, 0, 0, std::numeric_limits<double>::infinity()})) return true;
+    if (query.found({{leaf, lane}, false, 0, 0, std::numeric_limits<double>::infinity()})) return true;
   }
   return false;
 }
