@@ -12,6 +12,8 @@
 
 namespace tribunal::bench {
 
+using namespace detail;  // what the peers are tuned with is the filter's own
+
 /// A constrained Delaunay triangulation of a planar polygon by exact predicates (CGAL, GPL: never part of the library),
 /// asked triangle by triangle with EPICK. Peer for simple polygons: rings that neither touch nor cross.
 class TriangulatedPolygon {

@@ -42,8 +42,8 @@ bool is_regular(const ClassRow& row) { return row.triangle == "tri" && row.probe
 
 /// Small integers: all five volumes are exact, and one is zero iff four of the five points are coplanar.
 bool has_zero_volume(const ClassRow& row) {
-  const auto [sides, edges] =
-      shared_volumes<Segment>(arms_of<double>(row.representative_segment(), row.representative_triangle()));
+  const auto [sides, edges] = detail::shared_volumes<Segment>(
+      detail::arms_of<double>(row.representative_segment(), row.representative_triangle()));
   return sides.source * sides.target * edges.ab * edges.bc * edges.ac == 0;
 }
 
