@@ -95,7 +95,7 @@ bool operator>(const Roundings& a, const Roundings& b) {
 }  // namespace
 
 template <>
-inline Roundings magnitude(const Roundings& x) {
+inline Roundings detail::magnitude(const Roundings& x) {
   return x;
 }
 
