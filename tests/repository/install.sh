@@ -7,9 +7,9 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cmake --install "$BUILD_DIR" --prefix "$scratch/prefix" >"$scratch/log"
 include=$scratch/prefix/include/tribunal
-"$scratch/prefix/bin/tribunal" methods | grep -q sf-rational
+"$scratch/prefix/bin/tribunal" methods | grep sf-rational >"$scratch/found"
 cc -std=c99 -shared -fPIC -I "$include/exact/plugin" -o "$scratch/mine.so" "$SOURCE_DIR/docs/examples/moeller_trumbore.c"
-"$scratch/prefix/bin/tribunal" methods --plugin "$scratch/mine.so" | grep -q my-mt
+"$scratch/prefix/bin/tribunal" methods --plugin "$scratch/mine.so" | grep my-mt >"$scratch/found"
 
 headers=0
 while IFS= read -r header; do

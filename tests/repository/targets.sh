@@ -5,7 +5,7 @@ set -euo pipefail
 found=0
 while IFS= read -r object; do
   found=$((found + 1))
-  if objdump -h "$object" | grep -q '\.init_array'; then
+  if objdump -h "$object" | grep '\.init_array' >/dev/null; then
     echo "$object: has a static initialiser" >&2
     exit 1
   fi
