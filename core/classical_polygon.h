@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/covering.h"
+#include "core/longest_axis.h"
 #include "core/products.h"
 
 namespace tribunal {
@@ -22,12 +23,6 @@ struct ClassicalPolygon {
   Axis dropped;
   std::vector<Vec2<N>> flat;  ///< the vertices, projected
 };
-
-template <class N>
-Axis longest_axis(const Vec3<N>& v) {
-  const N x = v.x < 0 ? -v.x : v.x, y = v.y < 0 ? -v.y : v.y, z = v.z < 0 ? -v.z : v.z;
-  return x >= y && x >= z ? Axis::x : y >= z ? Axis::y : Axis::z;
-}
 
 /// The normal is that of the largest triangle of the covering: the best that one cross product can do. (Newell's sum
 /// over all of them would vanish on a bow-tie.)

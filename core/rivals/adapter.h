@@ -119,13 +119,6 @@ Sign nearer(const Ray& r, const Triangle& s, const Triangle& t) {
   return f && g ? sign_of(f->t - g->t) : Sign::zero;
 }
 
-/// A t that is no number is none.
-template <class R>
-std::optional<double> parameter_of(const Ray& r, const Triangle& t) {
-  const HitOf<R> hit = meet<R>(r, t);
-  return hit && !std::isnan(hit->t) ? std::optional<double>(hit->t) : std::nullopt;
-}
-
 template <class R>
 std::optional<HitAt> hit_of(const Ray& r, const Triangle& t) {
   const HitOf<R> hit = meet<R>(r, t);
@@ -133,6 +126,13 @@ std::optional<HitAt> hit_of(const Ray& r, const Triangle& t) {
   HitAt at{.t = hit->t};
   if (hit->weights) at.weights = BarycentricWeights{hit->weights->b, hit->weights->c};
   return at;
+}
+
+/// A t that is no number is none.
+template <class R>
+std::optional<double> parameter_of(const Ray& r, const Triangle& t) {
+  const std::optional<HitAt> hit = hit_of<R>(r, t);
+  return hit && !std::isnan(hit->t) ? std::optional(hit->t) : std::nullopt;
 }
 
 template <class R>

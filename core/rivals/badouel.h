@@ -25,7 +25,7 @@ struct Badouel {
   static Prepared prepare(const Corners<N>& t) {
     const Plane<N> p = plane_of(t);
     const N height = dot(p.normal, t.a);
-    const Axis axis = longest(p.normal);
+    const Axis axis = longest_axis(p.normal);
     return {p.normal, N(-height), axis, project(t.a, axis), project(p.ab, axis), project(p.ac, axis)};
   }
 

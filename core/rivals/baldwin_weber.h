@@ -30,7 +30,7 @@ struct BaldwinWeber {
 
   static Prepared prepare(const Corners<N>& t) {
     const Plane<N> p = plane_of(t);
-    const Axis axis = longest(p.normal);
+    const Axis axis = longest_axis(p.normal);
     const N whole = coordinate(p.normal, axis);
     const Vec2<N> n = project(p.normal, axis), ab = project(p.ab, axis), ac = project(p.ac, axis);
     const Vec2<N> a = project(t.a, axis), b = project(t.b, axis), c = project(t.c, axis);

@@ -88,7 +88,7 @@ struct ChirkovPrepared {
 
   static Prepared prepare(const Corners<N>& t) {
     const Vec3<N> normal = plane_of(t).normal;
-    return {t, normal, dot(normal, t.a), longest(normal)};
+    return {t, normal, dot(normal, t.a), longest_axis(normal)};
   }
 
   static std::optional<RivalHit<N>> meet_segment(const Vec3<N>& p, const Vec3<N>& q, const Prepared& t) {

@@ -7,6 +7,16 @@
 
 namespace tribunal::published {
 
+/// The system of equation (4): the edges from a, and its determinant with the product that goes into it.
+template <class N>
+struct MoellerTrumboreSystem {
+  Vec3<N> e1, e2, pvec;
+  N det;
+
+  MoellerTrumboreSystem(const Vec3<N>& d, const Corners<N>& t)
+      : e1(t.b - t.a), e2(t.c - t.a), pvec(cross(d, e2)), det(dot(e1, pvec)) {}
+};
+
 /// The two-sided branch with 0 in place of its tolerance on the determinant: a line parallel to the plane (determinant
 /// exactly 0 in N) meets nothing.
 template <class N>
@@ -18,23 +28,20 @@ struct MoellerTrumbore {
   static constexpr Contract contract{.convention = Convention::transversal};
 
   static std::optional<RivalHit<N>> meet(const Vec3<N>& origin, const Vec3<N>& d, const Prepared& t) {
-    const Vec3<N> e1 = t.b - t.a;
-    const Vec3<N> e2 = t.c - t.a;
-    const Vec3<N> pvec = cross(d, e2);
-    const N det = dot(e1, pvec);
-    if (det == 0) return std::nullopt;
-    return divided(origin - t.a, d, e1, e2, pvec, det);
+    const MoellerTrumboreSystem<N> system(d, t);
+    if (system.det == 0) return std::nullopt;
+    return divided(origin - t.a, d, system);
   }
 
-  static std::optional<RivalHit<N>> divided(const Vec3<N>& tvec, const Vec3<N>& d, const Vec3<N>& e1, const Vec3<N>& e2,
-                                            const Vec3<N>& pvec, const N& det) {
-    const N inverse = 1 / det;
-    const N u = dot(tvec, pvec) * inverse;
+  static std::optional<RivalHit<N>> divided(const Vec3<N>& tvec, const Vec3<N>& d,
+                                            const MoellerTrumboreSystem<N>& system) {
+    const N inverse = 1 / system.det;
+    const N u = dot(tvec, system.pvec) * inverse;
     if (!(u >= 0 && u <= 1)) return std::nullopt;
-    const Vec3<N> qvec = cross(tvec, e1);
+    const Vec3<N> qvec = cross(tvec, system.e1);
     const N v = dot(d, qvec) * inverse;
     if (!(v >= 0 && u + v <= 1)) return std::nullopt;
-    return RivalHit<N>{dot(e2, qvec) * inverse, Weights<N>{u, v}};
+    return RivalHit<N>{dot(system.e2, qvec) * inverse, Weights<N>{u, v}};
   }
 };
 
@@ -47,13 +54,10 @@ struct MoellerTrumborePrinted : MoellerTrumbore<N> {
   static constexpr RivalCard card{"as printed: a determinant below 1e-6 is called parallel", "Möller & Trumbore 1997"};
 
   static std::optional<RivalHit<N>> meet(const Vec3<N>& origin, const Vec3<N>& d, const Corners<N>& t) {
-    const Vec3<N> e1 = t.b - t.a;
-    const Vec3<N> e2 = t.c - t.a;
-    const Vec3<N> pvec = cross(d, e2);
-    const N det = dot(e1, pvec);
+    const MoellerTrumboreSystem<N> system(d, t);
     const N epsilon = static_cast<N>(moeller_trumbore_epsilon);
-    if (det > -epsilon && det < epsilon) return std::nullopt;
-    return MoellerTrumbore<N>::divided(origin - t.a, d, e1, e2, pvec, det);
+    if (system.det > -epsilon && system.det < epsilon) return std::nullopt;
+    return MoellerTrumbore<N>::divided(origin - t.a, d, system);
   }
 };
 
@@ -65,19 +69,17 @@ struct MoellerTrumboreCulling : MoellerTrumbore<N> {
   static constexpr Contract contract{.convention = Convention::transversal, .culling = Culling::back_faces};
 
   static std::optional<RivalHit<N>> meet(const Vec3<N>& origin, const Vec3<N>& d, const Corners<N>& t) {
-    const Vec3<N> e1 = t.b - t.a;
-    const Vec3<N> e2 = t.c - t.a;
-    const Vec3<N> pvec = cross(d, e2);
-    const N det = dot(e1, pvec);
+    const MoellerTrumboreSystem<N> system(d, t);
+    const N& det = system.det;
     if (det < static_cast<N>(moeller_trumbore_epsilon)) return std::nullopt;
     const Vec3<N> tvec = origin - t.a;
-    const N u = dot(tvec, pvec);
+    const N u = dot(tvec, system.pvec);
     if (u < 0 || u > det) return std::nullopt;
-    const Vec3<N> qvec = cross(tvec, e1);
+    const Vec3<N> qvec = cross(tvec, system.e1);
     const N v = dot(d, qvec);
     if (v < 0 || u + v > det) return std::nullopt;
     const N inverse = 1 / det;
-    return RivalHit<N>{dot(e2, qvec) * inverse, Weights<N>{u * inverse, v * inverse}};
+    return RivalHit<N>{dot(system.e2, qvec) * inverse, Weights<N>{u * inverse, v * inverse}};
   }
 };
 

@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "core/contract.h"
+#include "core/longest_axis.h"
 #include "core/operands.h"
 #include "core/products.h"
 
@@ -64,14 +65,6 @@ bool sign_bit(const N& x) {
   } else {
     return x < 0;
   }
-}
-
-/// The axis on which v is longest; the first of equals.
-template <class N>
-Axis longest(const Vec3<N>& v) {
-  const N x = absolute(v.x), y = absolute(v.y), z = absolute(v.z);
-  if (x >= y && x >= z) return Axis::x;
-  return y >= z ? Axis::y : Axis::z;
 }
 
 /// factor · v.

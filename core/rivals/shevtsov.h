@@ -25,7 +25,7 @@ struct Shevtsov {
 
   static Prepared prepare(const Corners<N>& t) {
     const Plane<N> p = plane_of(t);
-    const Axis axis = longest(p.normal);
+    const Axis axis = longest_axis(p.normal);
     const N inverse = 1 / coordinate(p.normal, axis);
     const auto shrunk = [&](const Vec3<N>& v) -> Vec2<N> {
       const Vec2<N> flat = project(v, axis);

@@ -27,7 +27,7 @@ struct Wald {
 
   static Prepared prepare(const Corners<N>& t) {
     const Plane<N> p = plane_of(t);
-    const Axis axis = longest(p.normal);
+    const Axis axis = longest_axis(p.normal);
     const N whole = coordinate(p.normal, axis);
     const Vec2<N> n = project(p.normal, axis), a = project(t.a, axis);
     const Vec2<N> ab = project(p.ab, axis), ac = project(p.ac, axis);

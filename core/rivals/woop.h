@@ -26,7 +26,7 @@ struct Woop {
   };
 
   static PreparedRay prepare_ray(const Vec3<N>& o, const Vec3<N>& d) {
-    const Axis z = longest(d);
+    const Axis z = longest_axis(d);
     Axis x = after(z), y = after(x);
     const N depth = coordinate(d, z);
     if (depth < 0) std::swap(x, y);

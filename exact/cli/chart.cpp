@@ -2,10 +2,9 @@
 #include "exact/chart/chart.h"
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 #include <memory>
-#include <string_view>
+#include <vector>
 
 #include "exact/base/files.h"
 #include "exact/base/json.h"
@@ -15,12 +14,10 @@
 namespace tribunal {
 namespace {
 
-/// Of the methods that have an exact twin, those that are charted unless others are named: figures of the whole shelf
-/// of rivals cannot be read.
-constexpr std::array<std::string_view, 4> charted = {"sf-float", "sf-double", "mt-float", "mt-double"};
-
+/// Figures of the whole shelf of rivals cannot be read: of methods with an exact twin some stand for all.
 bool is_charted(const Method& m) {
-  return !has(m, Capability::exact_twin) || std::ranges::find(charted, m.name) != charted.end();
+  const std::vector<Role> roles = roles_of(m);
+  return !has(m, Capability::exact_twin) || std::ranges::find(roles, Role::charted) != roles.end();
 }
 
 struct Options {

@@ -43,17 +43,18 @@ struct Shelf {
   const char* name;
   Method (*in_float)();
   Method (*in_double)();
+  std::vector<Role> roles;
 };
 
 template <template <class> class Rival>
-Shelf rivals(const char* name) {
-  return {name, rival<Rival, float>, rival<Rival, double>};
+Shelf rivals(const char* name, std::vector<Role> roles = {}) {
+  return {name, rival<Rival, float>, rival<Rival, double>, std::move(roles)};
 }
 
 const std::vector<Shelf>& shelf() {
   using namespace published;
   static const std::vector<Shelf> table = {
-      rivals<MoellerTrumbore>("mt"),
+      rivals<MoellerTrumbore>("mt", {Role::charted}),
       rivals<MoellerTrumborePrinted>("mt-eps"),
       rivals<MoellerTrumboreCulling>("mt-cull"),
       rivals<Arenberg>("arenberg"),
@@ -78,8 +79,8 @@ const std::vector<Shelf>& shelf() {
 
 std::vector<Row> all_rows() {
   std::vector<Row> table = {
-      {"sf-float", sf_float, {Role::calibration}},
-      {"sf-double", sf_double, {Role::calibration}},
+      {"sf-float", sf_float, {Role::calibration, Role::charted}},
+      {"sf-double", sf_double, {Role::calibration, Role::charted}},
       {"sf-double-eps", sf_double_eps},
       {"sf-filtered", sf_filtered, {Role::flagship}},
       {"sf-epick", sf_epick, {Role::generator}},
@@ -87,8 +88,8 @@ std::vector<Row> all_rows() {
       {"sf-rational", sf_rational, {Role::reference}},
   };
   for (const Shelf& s : shelf()) {
-    table.push_back({std::string(s.name) + "-float", s.in_float});
-    table.push_back({std::string(s.name) + "-double", s.in_double});
+    table.push_back({std::string(s.name) + "-float", s.in_float, s.roles});
+    table.push_back({std::string(s.name) + "-double", s.in_double, s.roles});
   }
   const std::vector<Row> others = {
       {"haines-float", haines_float},
@@ -127,8 +128,8 @@ bool holds(const Row& row, Role role) { return std::ranges::find(row.roles, role
 }  // namespace
 
 std::string_view name_of(Role role) {
-  constexpr std::array<std::string_view, 5> names = {"reference", "second opinion", "calibration", "flagship",
-                                                     "generator"};
+  constexpr std::array<std::string_view, 6> names = {"reference", "second opinion", "calibration",
+                                                     "flagship",  "generator",      "charted"};
   return names[static_cast<std::size_t>(role)];
 }
 

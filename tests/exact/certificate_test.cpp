@@ -1,79 +1,14 @@
 // Certificates: what they say, that they follow from their log, and that a changed log is noticed.
-#include "exact/certificate/certificate.h"
-
-#include <gtest/gtest.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <filesystem>
 
-#include "exact/base/failure.h"
-#include "exact/base/files.h"
 #include "exact/cases/family_table.h"
-#include "exact/certificate/certify.h"
-#include "exact/certificate/small_scope.h"
 #include "exact/certificate/verify.h"
-#include "exact/methods/methods.h"
+#include "tests/exact/certificate_support.h"
 
 namespace tribunal {
 namespace {
 
-Method method(const char* name) { return *find_method(name); }
-
-/// Few cases a class: what is tested is the certificate.
-const Budget tiny{"tiny", 16, false};
-
-class CertificateTest : public testing::Test {
- protected:
-  void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    directory_ = (std::filesystem::temp_directory_path() /
-                  ("tribunal-" + std::string(test->name()) + "-" + std::to_string(getpid())))
-                     .string();
-    make_directory(directory_);
-  }
-  void TearDown() override { std::filesystem::remove_all(directory_); }
-
-  Certificate write(const CertifyPlan& plan) {
-    ChainedLog log = certify(plan);
-    return write_certificate(directory_, log);
-  }
-
-  Certificate write_polygons(const char* name, std::uint64_t rounds) {
-    return write(
-        {.method = method(name), .operands = Operands::polygons, .budget = {"tiny", 0, false, rounds}, .threads = 2});
-  }
-
-  std::string file(const char* name) const { return directory_ + "/" + name; }
-
-  /// The log with the records changed and the chain made again, as a forger would.
-  void forge(const std::function<void(std::vector<Json>&)>& change) {
-    std::vector<Json> records = read_log(file("log.jsonl")).records;
-    change(records);
-    ChainedLog log;
-    for (const Json& r : records) log.add(r);
-    write_certificate(directory_, log);
-  }
-
-  /// One digit of the log at a time, in steps of so many bytes, is changed: each breaks the chain.
-  void expect_edits_noticed(std::size_t step) {
-    const std::string log = read_file(file("log.jsonl"));
-    int edited = 0;
-    for (std::size_t i = 0; i < log.size(); i += step) {
-      const std::size_t digit = log.find_first_of("0123456789", i);
-      if (digit == std::string::npos) break;
-      std::string changed = log;
-      changed[digit] = changed[digit] == '9' ? '8' : static_cast<char>(changed[digit] + 1);
-      write_file(file("log.jsonl"), changed);
-      EXPECT_THROW(read_log(file("log.jsonl")), Failure) << "at byte " << digit;
-      ++edited;
-    }
-    EXPECT_GT(edited, 50);
-    write_file(file("log.jsonl"), log);
-  }
-
-  std::string directory_;
-};
+using namespace testing_certificates;
 
 TEST_F(CertificateTest, RefutesDoubleAndSaysWhy) {
   const Certificate c = write({.method = method("sf-double"), .budget = tiny, .threads = 2});
@@ -330,101 +265,11 @@ TEST_F(CertificateTest, WhatIsRefusedIsNamed) {
   }));
 }
 
-const std::uint64_t cases_of_tiny = 6 * shape_count * place_count;
-
-TEST_F(CertificateTest, OfPolygonsSpeaksOfConstructionsAndOutcomes) {
-  const Certificate c = write_polygons("sf-filtered", 6);
-  EXPECT_EQ(c.verdict, Verdict::not_refuted);
-  EXPECT_EQ(c.operands(), Operands::polygons);
-  ASSERT_EQ(c.proved.size(), 5U);
-  EXPECT_TRUE(c.proved[2].of_rays);
-  EXPECT_EQ(c.proved[3].count.asked, 2'250'360U);
-  EXPECT_EQ(c.proved[4].count.asked, 663'264U);
-  EXPECT_EQ(c.proved[0].count.asked, 217'140U);
-  EXPECT_EQ(c.proved[1].count.asked, 1'658'442U);
-  EXPECT_EQ(c.proved[1].count.wrong, 0U);
-  for (const Format format : {Format::binary64, Format::binary32}) {
-    for (const SlotGroup& group : slot_groups(Operands::polygons)) {
-      EXPECT_EQ(c.coverage.judged(format, group), static_cast<int>(group.size)) << group.name;
-    }
-    EXPECT_EQ(c.coverage.total(format, Operands::polygons).asked,
-              families_of(Operands::polygons).size() * cases_of_tiny);
-  }
-  for (const Gap& gap : c.gaps) EXPECT_TRUE(gap.explained) << gap.what << ": " << gap.reason;
-  const Verification v = verify(directory_);
-  EXPECT_TRUE(v.faults.empty());
-  EXPECT_EQ(v.asked_again, 217'140U);
-}
-
-TEST_F(CertificateTest, OfPolygonsRefutesTheClassicalWayWithinItsContract) {
-  const Certificate c = write_polygons("haines-double", 6);
-  EXPECT_EQ(c.verdict, Verdict::refuted);
-  EXPECT_EQ(c.proved[1].count.wrong, 0U) << "small integers";
-  EXPECT_GT(c.proved[1].count.unsupported, 0U) << "the boundary";
-  for (const Stratum& s : c.strata) {
-    if (s.slot != slot_of(Truth{.contact = Contact::edge})) continue;
-    EXPECT_EQ(s.count.judged(), 0U) << "the boundary is outside its contract";
-  }
-  ASSERT_FALSE(c.counterexamples.empty());
-  for (const Json& line : c.counterexamples) EXPECT_TRUE(line.contains("rings"));
-  EXPECT_EQ(verify(directory_).confirmed, c.counterexamples.size());
-  EXPECT_TRUE(verify(directory_).faults.empty());
-}
-
-/// Planted: a polygon test that takes every hole edge for a miss, in the small scope and among the constructions.
-TEST_F(CertificateTest, OfPolygonsFindsAPlantedBug) {
-  CertifyPlan plan{
-      .method = method("sf-rational"), .operands = Operands::polygons, .budget = {"tiny", 0, false, 3}, .threads = 2};
-  plan.method.name = "planted";
-  plan.method.polygon = [](const Polygon& polygon) -> PreparedPolygon {
-    const PreparedPolygon right = method("sf-rational").polygon(polygon);
-    const auto segment = [right, many = polygon.rings() > 1](const Segment& s) {
-      Answer answer = right.segment(s);
-      if (many && answer.contact == Contact::edge) answer.hit = false;
-      return answer;
-    };
-    return {.segment = segment, .ray = right.ray};
-  };
-  const Certificate c = write(plan);
-  EXPECT_EQ(c.verdict, Verdict::refuted);
-  for (const Stratum& s : c.strata) {
-    if (s.count.wrong == 0) continue;
-    EXPECT_NE(slot_name(s.slot).find("edge"), std::string::npos) << slot_name(s.slot);
-  }
-  EXPECT_EQ(verify(directory_).not_asked, "the method is not known here");
-}
-
-/// Every digit counts: in the log, in what is made of it, and a stratum dropped with the chain made anew.
-TEST_F(CertificateTest, OfPolygonsIsHeldAgainstItsLog) {
-  write_polygons("sf-epick", 6);
-  expect_edits_noticed(14'983);
-  forge([](std::vector<Json>& records) {
-    for (Json& r : records) {
-      if (r["record"] == "sample" && r["method"] == "sf-epick" && r["counts"].contains("dart / outer edge / to")) {
-        r["counts"].erase("dart / outer edge / to");
-        return;
-      }
-    }
-    ADD_FAILURE() << "no such stratum";
-  });
-  EXPECT_EQ(verify(directory_).certificate.verdict, Verdict::incomplete);
-}
-
 /// A method that answers nothing has no certificate.
 TEST_F(CertificateTest, NoAnswersAreAHole) {
   const Certificate c = write({.method = method("haines-double"), .budget = {"tiny", 1, false}, .threads = 2});
   EXPECT_EQ(c.sampled().judged(), 0U);
   EXPECT_EQ(c.verdict, Verdict::incomplete);
-}
-
-TEST(SmallScope, LinesAndTheLatticeHaveEveryClass) {
-  const ScopeResult lines = line_run(method("sf-rational"));
-  EXPECT_EQ(lines.count.asked, 40'625U);
-  EXPECT_EQ(lines.count.wrong, 0U);
-  EXPECT_TRUE(lines.complete);
-  const ScopeResult lattice = lattice_run(method("sf-double"), 2, 2);
-  EXPECT_EQ(lattice.count.asked, 32'768U);
-  EXPECT_EQ(lattice.answers_hash, lattice_run(method("sf-rational"), 2, 1).answers_hash);
 }
 
 }  // namespace
