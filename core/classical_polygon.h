@@ -95,15 +95,15 @@ bool inside_by_signed_triangles(const ClassicalPolygon<N>& c, const Vec2<N>& x) 
   };
   int sum = 0;
   bool boundary = false;
-  visit_passed(c.polygon, side, [&](const Point3& a, const Point3& b, const Passage& passage) {
+  detail::visit_passed(c.polygon, side, [&](const Point3& a, const Point3& b, const detail::Passage& passage) {
     const Vec2<N>&f = flat(a), &g = flat(b);
     const bool between = (f.u - x.u) * (g.u - x.u) + (f.v - x.v) * (g.v - x.v) <= 0;
     if (passage.edge_on()) return boundary = between;
-    const Location location = passage.location();
-    sum += halves(location, passage.direction());
-    return boundary = location == Location::vertex || location == Location::external_edge;
+    const detail::Location location = passage.location();
+    sum += detail::halves(location, passage.direction());
+    return boundary = location == detail::Location::vertex || location == detail::Location::external_edge;
   });
-  return boundary || is_odd(sum);
+  return boundary || detail::is_odd(sum);
 }
 
 }  // namespace tribunal

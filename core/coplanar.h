@@ -9,6 +9,8 @@
 
 namespace tribunal {
 
+namespace detail {
+
 /// Whether a probe whose source and target lie on these sides of a plane (or, in the plane, of a line)
 /// reaches it. Both zero means that the probe lies in it. A target at infinity is never in the plane
 /// itself: if its side is zero, the ray runs parallel.
@@ -124,6 +126,8 @@ std::pair<Point3, Point3> extent(const Triangle& t, const K& k) {
   return e;
 }
 
+}  // namespace detail
+
 /// Decides operands for which both ends of the probe have volume zero with abc: they lie in one plane,
 /// or the triangle has no area. Exact kernels make it total; it costs at most 27 two-dimensional signs.
 template <Kernel K, class P>
@@ -131,10 +135,10 @@ Answer coplanar(const P& probe, const Triangle& t, const K& k) {
   for (const Axis dropped : all_axes) {
     const Sign turn = k.orient2d(dropped, t.a, t.b, t.c);
     if (turn == Sign::zero) continue;
-    return meets_in_plane(dropped, turn, probe, t, k) ? hit_at(Contact::coplanar) : miss();
+    return detail::meets_in_plane(dropped, turn, probe, t, k) ? hit_at(Contact::coplanar) : miss();
   }
-  const auto [lo, hi] = extent(t, k);
-  return meets_segment(probe, lo, hi, k) ? hit_at(Contact::coplanar) : miss();
+  const auto [lo, hi] = detail::extent(t, k);
+  return detail::meets_segment(probe, lo, hi, k) ? hit_at(Contact::coplanar) : miss();
 }
 
 }  // namespace tribunal

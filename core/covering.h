@@ -10,6 +10,8 @@
 
 namespace tribunal {
 
+namespace detail {
+
 /// Where the line of the probe pierces a covering triangle (o, a, b) of the ring edge ab. Internal edges are oa and
 /// ob, which neighbouring triangles share.
 enum class Location : std::uint8_t { vertex, external_edge, inside, internal_edge };
@@ -67,6 +69,8 @@ void visit_passed(const Polygon& polygon, const Side& side, const Visit& visit) 
   }
 }
 
+}  // namespace detail
+
 /// The plane of a planar polygon: three vertices not on one line, and an axis along which it projects one-to-one.
 struct Plane {
   Triangle triangle;
@@ -85,6 +89,8 @@ struct Covering {
   bool is_triangle() const { return polygon.rings() == 1 && polygon.vertices.size() == 3; }
   Triangle triangle() const { return {polygon.vertices[0], polygon.vertices[1], polygon.vertices[2]}; }
 };
+
+namespace detail {
 
 /// Three vertices not on one line, or nothing if there are none.
 template <Kernel K>
@@ -127,17 +133,19 @@ bool is_fan(const Polygon& polygon, Axis dropped, const K& k) {
   return true;
 }
 
+}  // namespace detail
+
 /// Prepares a polygon for many probes. Cost: one volume and at most two areas a vertex.
 /// Law: for an exact kernel, `planar` is exact.
 template <Kernel K>
 Covering cover(const Polygon& polygon, const K& k) {
   Covering c{.polygon = polygon};
   if (polygon.vertices.empty()) return c;
-  c.plane = spanned_plane(polygon, k);
+  c.plane = detail::spanned_plane(polygon, k);
   if (!c.plane) return c;
-  c.planar = lies_in(polygon, *c.plane, k);
+  c.planar = detail::lies_in(polygon, *c.plane, k);
   if (!c.planar) c.plane.reset();
-  c.disjoint = c.planar && is_fan(polygon, c.plane->dropped, k);
+  c.disjoint = c.planar && detail::is_fan(polygon, c.plane->dropped, k);
   return c;
 }
 

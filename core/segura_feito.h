@@ -24,7 +24,7 @@ Answer segura_feito(const P& probe, const Triangle& t, const K& k) {
   const Sign source_side = k.orient3d(t.a, t.b, t.c, p);
   const Sign target_side = k.orient3d(t.a, t.b, t.c, q);
   if (source_side == Sign::zero && target_side == Sign::zero) return coplanar(probe, t, k);
-  if (!reaches(source_side, target_side, q)) return miss();
+  if (!detail::reaches(source_side, target_side, q)) return miss();
 
   const Sign side = source_side != Sign::zero ? source_side : -target_side;
   const Point3* const corner[] = {&t.a, &t.b, &t.c, &t.a};

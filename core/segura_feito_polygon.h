@@ -10,6 +10,8 @@
 
 namespace tribunal {
 
+namespace detail {
+
 /// The sides of a plane on which the probe's ends lie.
 struct PlaneSides {
   Sign source, target;
@@ -36,7 +38,7 @@ struct Crossings {
   void add(const Passage& passage, At where) {
     one_place = one_place && (at == At::unsaid || at == where);
     at = where;
-    halves += tribunal::halves(passage.location(), passage.direction());
+    halves += detail::halves(passage.location(), passage.direction());
   }
 };
 
@@ -141,6 +143,8 @@ Crossings surface_crossings(const P& probe, const Covering& c, const K& k) {
       k);
 }
 
+}  // namespace detail
+
 /// Decides whether the probe meets the prepared polygon.
 ///
 /// Law: for an exact kernel and a planar polygon, hit ⇔ the point sets meet. If it is not planar, hit ⇔ a ring edge is
@@ -151,11 +155,11 @@ Crossings surface_crossings(const P& probe, const Covering& c, const K& k) {
 template <Kernel K, class P>
 Answer segura_feito(const P& probe, const Covering& c, const K& k) {
   if (c.is_triangle()) return segura_feito(probe, c.triangle(), k);
-  if (c.plane) return meet_planar(probe, c, k);
+  if (c.plane) return detail::meet_planar(probe, c, k);
   if (c.polygon.vertices.empty()) return miss();
-  const Crossings sum = surface_crossings(probe, c, k);
+  const detail::Crossings sum = detail::surface_crossings(probe, c, k);
   if (c.planar) return sum.boundary ? hit_at(Contact::coplanar) : miss();
-  Answer answer = answer_of(sum, probe, c.polygon, At::unsaid, k);
+  Answer answer = detail::answer_of(sum, probe, c.polygon, At::unsaid, k);
   answer.planar = false;
   return answer;
 }
@@ -168,9 +172,9 @@ Answer segura_feito(const P& probe, const Polygon& polygon, const K& k) {
   const Covering unprepared{.polygon = polygon};
   if (unprepared.is_triangle()) return segura_feito(probe, unprepared.triangle(), k);
   if (polygon.vertices.empty()) return miss();
-  const Crossings sum = surface_crossings(probe, unprepared, k);
+  const detail::Crossings sum = detail::surface_crossings(probe, unprepared, k);
   if (sum.boundary || sum.edge_on == polygon.vertices.size()) return segura_feito(probe, cover(polygon, k), k);
-  return answer_of(sum, probe, polygon, At::unsaid, k);
+  return detail::answer_of(sum, probe, polygon, At::unsaid, k);
 }
 
 }  // namespace tribunal

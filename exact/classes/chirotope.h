@@ -93,7 +93,7 @@ ChirotopeCode triangles(Axis dropped, const FiveElements<X>& v, const K& k) {
 template <Kernel K, class X>
 ChirotopeCode pairs(const FiveElements<X>& v, const K& k) {
   return code_of<2>([&](const int(&s)[2]) {
-    return v.with(s[1], [&](const auto& x) { return lexicographic(*v.points[s[0]], x, k); });
+    return v.with(s[1], [&](const auto& x) { return detail::lexicographic(*v.points[s[0]], x, k); });
   });
 }
 

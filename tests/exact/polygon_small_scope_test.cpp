@@ -8,6 +8,8 @@
 namespace tribunal {
 namespace {
 
+using namespace detail;
+
 using IntegerKernel = FormulaKernel<std::int64_t>;
 constexpr IntegerKernel k;
 constexpr RingScope few{.most_vertices = 4};

@@ -8,6 +8,8 @@
 namespace tribunal::planted {
 namespace {
 
+using namespace detail;
+
 const EpickKernel exact;
 
 Answer never(const Segment& s, const Triangle& t) {

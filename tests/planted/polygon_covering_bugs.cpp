@@ -9,6 +9,8 @@
 namespace tribunal::planted {
 namespace {
 
+using namespace detail;
+
 const EpickKernel k;
 
 /// The right answer by a covering that was spoilt.

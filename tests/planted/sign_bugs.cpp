@@ -6,6 +6,8 @@
 namespace tribunal::planted {
 namespace {
 
+using namespace detail;
+
 const EpickKernel exact;
 
 /// The five signs of the published test.
