@@ -234,7 +234,7 @@ ScopeResult line_run(const Method& method) {
   LatticePart all;
   for (const Point3& d : lattice(3)) {
     const Point3 direction = d - Point3(1, 1, 1);
-    if (lexicographic(Point3(0, 0, 0), direction, IntegerKernel{}) != Sign::positive) continue;
+    if (detail::lexicographic(Point3(0, 0, 0), direction, IntegerKernel{}) != Sign::positive) continue;
     Points points;
     for (int i = 0; i < 5; ++i) points.push_back(direction * static_cast<double>(i));
     for (const Triple& t : triples(points.size())) run_triangle(method, points, t, all);
