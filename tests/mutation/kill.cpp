@@ -102,7 +102,7 @@ void signs_by_hand() {
     }
   }
   require(value(-Sign::positive) == -1 && value(Sign::negative * Sign::negative) == 1, "arithmetic of signs");
-  require(lift<std::int64_t>(p).y == 2 && value(lexicographic(o, p, k)) == 1, "lift");
+  require(lift<std::int64_t>(p).y == 2 && value(detail::lexicographic(o, p, k)) == 1, "lift");
 }
 
 /// By hand: one chirotope of each rank.
