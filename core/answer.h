@@ -11,14 +11,14 @@ namespace tribunal {
 
 /// Where the probe meets the triangle. `coplanar`: they lie in one plane and meet there. A degenerate
 /// triangle that is met, and a point that lies in the triangle's plane, are always coplanar contacts; of a polygon,
-/// those of a planar one with a probe in its plane. `unsaid`: a hit by a method that does not tell.
+/// those of a planar one with a probe in its plane. `unsaid`: a hit by a method that does not say where.
 enum class Contact : std::uint8_t { none, interior, edge, vertex, coplanar, unsaid };
 
 /// Which part of the probe is in contact, where exactly one point is. `unsaid` otherwise.
 enum class At : std::uint8_t { unsaid, source, target, between };
 
-/// `nonfinite`: an operand has a NaN or an infinity. `unsupported`: outside the method's contract. All others are
-/// faults: the method did something else than answer, or is no function of what it is asked.
+/// `nonfinite`: an operand has a NaN or an infinity. `unsupported`: outside the method's contract. All after these
+/// are faults: the method did something else than answer, or its answers to one query differ.
 enum class Status : std::uint8_t {
   ok,
   nonfinite,
@@ -65,8 +65,8 @@ constexpr Answer hit_at(Contact contact, At at = At::unsaid) { return {.hit = tr
 
 constexpr Answer refusal(Status why) { return {.status = why}; }
 
-/// What a method promises of coplanar contacts. `closed`: hit iff the point sets meet. `transversal`: a probe
-/// in the triangle's plane is a miss, as in the paper's figure 1. `unspecified`: it promises nothing of them.
+/// What a method promises about coplanar contacts. `closed`: hit iff the point sets meet. `transversal`: a probe
+/// in the triangle's plane is a miss, as in the paper's figure 1. `unspecified`: it promises nothing.
 enum class Convention : std::uint8_t { closed, transversal, unspecified };
 
 constexpr std::string_view name_of(Contact c) {
@@ -79,7 +79,7 @@ constexpr std::string_view name_of(At a) {
   return names[static_cast<int>(a)];
 }
 
-/// The word in files: every fault is "failed".
+/// The word for a status in files; every fault is "failed".
 constexpr std::string_view name_of(Status s) {
   constexpr std::string_view names[] = {"ok", "nonfinite", "unsupported", "failed"};
   return names[is_fault(s) ? 3 : static_cast<int>(s)];

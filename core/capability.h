@@ -1,4 +1,4 @@
-// What a method can do beside answering hit or miss, as values.
+// What a method can do besides answering hit or miss, as values.
 #pragma once
 
 #include <array>
@@ -18,9 +18,9 @@ enum class Capability : std::uint8_t {
   prepared_triangle,  ///< prepares a triangle
   prepared_polygon,   ///< prepares a polygon
   prepared_ray,       ///< prepares a ray
-  tree_lanes,         ///< has its filter on the tree's vector lanes
-  weights,            ///< yields the barycentric weights of a hit with its parameter, where it computes them
-  exact_twin          ///< is there without rounding too
+  tree_lanes,         ///< its filter is the one that the tree's vector lanes compute
+  weights,            ///< yields the parameter of a hit together with its barycentric weights, where it computes them
+  exact_twin          ///< has an exact twin: the same test on exact numbers
 };
 
 inline constexpr std::array all_capabilities = {Capability::contact,

@@ -1,4 +1,4 @@
-// The classical way with a polygon: intersect with its plane, project, ask whether the projected point is inside.
+// The classical test of a polygon: intersect with its plane, project, ask whether the projected point is inside.
 // Sources: inclusion by crossing count: Haines, "Point in polygon strategies", Graphics Gems IV, 1994; by signed
 // triangles: Feito, Torres & Ureña, "Orientation, simplicity and inclusion test for
 // planar polygons", Computers & Graphics 19(4), 1995.
@@ -19,7 +19,7 @@ template <class N>
 struct ClassicalPolygon {
   Polygon polygon;
   Vec3<N> normal;  ///< zero if all triangles of the covering are flat
-  N height;        ///< normal · x of the points x of the plane
+  N height;        ///< normal · x for every point x of the plane
   Axis dropped;
   std::vector<Vec2<N>> flat;  ///< the vertices, projected
 };
@@ -40,7 +40,7 @@ ClassicalPolygon<N> classical_polygon(const Polygon& polygon) {
   return c;
 }
 
-/// Where the line p + t·d meets the plane, projected, with its t; nothing if it is parallel.
+/// The point where the line p + t·d meets the plane, projected, and its t.
 template <class N>
 struct PlaneHit {
   N t;
@@ -67,8 +67,8 @@ std::optional<PlaneHit<N>> plane_hit(const ClassicalPolygon<N>& c, const Ray& r)
   return plane_hit(c, lift<N>(r.o), lift<N>(r.d.v), std::numeric_limits<N>::infinity());
 }
 
-/// Haines: the parity of the edges that the ray from x along the first axis crosses, where an edge owns its lower end.
-/// A point on the boundary may come out either way.
+/// Haines: whether the ray from x along the first axis crosses an odd number of edges. An edge contains its lower end
+/// and not its upper one. A point on the boundary may come out either way.
 template <class N>
 bool inside_by_crossings(const ClassicalPolygon<N>& c, const Vec2<N>& x) {
   bool inside = false;

@@ -3,7 +3,7 @@
 namespace tribunal {
 namespace {
 
-/// Joins what is not empty.
+/// a and b, with the separator between them unless one is empty.
 std::string joined(std::string a, std::string_view separator, const std::string& b) {
   if (!a.empty() && !b.empty()) a += separator;
   return a + b;
@@ -20,7 +20,7 @@ std::string targets_of(const Contract& c) {
   return joined(triangles[static_cast<int>(c.triangles)], ", ", polygons[static_cast<int>(c.polygons)]);
 }
 
-/// `kind` is empty where there is one kind of target, or the reading is that of both.
+/// `kind` is the kind of target that b is about; empty if the method takes one kind only, or b holds for both.
 std::string boundary_in_words(Boundary b, const std::string& kind) {
   const std::string of = kind.empty() ? " " : " " + kind + " ";
   switch (b) {

@@ -46,9 +46,9 @@ struct Contract {
   Boundary boundary = Boundary::closed;          ///< the reading of a triangle's boundary
   Boundary polygon_boundary = Boundary::closed;  ///< the reading of ring edges
   Ends ends = Ends::closed;                      ///< the reading of a probe's ends
-  Culling culling = Culling::none;               ///< of triangles; nothing is promised of a polygon that is pierced
-  Format format = Format::binary64;              ///< coordinates beyond this format are rounded on entry
-  bool exact = false;                            ///< promises the right answer to every query in its contract
+  Culling culling = Culling::none;   ///< which triangles are not hit; if any, pierced polygons are not judged
+  Format format = Format::binary64;  ///< coordinates beyond this format are rounded on entry
+  bool exact = false;                ///< promises the right answer to every query in its contract
 
   friend bool operator==(const Contract&, const Contract&) = default;
 };

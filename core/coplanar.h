@@ -32,7 +32,8 @@ Sign lexicographic(const Point3& a, const X& x, const K& k) {
   return Sign::zero;
 }
 
-/// A ray's end at infinity lies beyond every point that the ray runs toward.
+/// Whether a probe that runs in the direction `heading` along its line has its target at x or beyond. The target of a
+/// ray that runs toward x, a point at infinity, always lies beyond.
 template <Kernel K>
 bool at_or_beyond(const Point3& x, const Point3& target, Sign heading, const K& k) {
   return lexicographic(x, target, k) * heading != Sign::negative;
@@ -104,7 +105,7 @@ bool meets_in_plane(Axis dropped, Sign turn, const P& probe, const Triangle& t, 
 }
 
 /// Probe against the segment [lo, hi] anywhere in space; either may be a point. If the four points span a plane,
-/// some projection shows one of the four signs, and that projection is one-to-one on the plane.
+/// one of the four signs is nonzero in some projection, and that projection is one-to-one on the plane.
 template <Kernel K, class P>
 bool meets_segment(const P& probe, const Point3& lo, const Point3& hi, const K& k) {
   if (k.orient3d(source(probe), lo, hi, target(probe)) != Sign::zero) return false;
@@ -115,7 +116,7 @@ bool meets_segment(const P& probe, const Point3& lo, const Point3& hi, const K& 
   return meets_on_line(probe, lo, hi, k);
 }
 
-/// The vertices of a triangle without area span the segment between their lexicographic extremes.
+/// The lexicographically least and greatest vertex. A triangle without area is the segment between these two.
 template <Kernel K>
 std::pair<Point3, Point3> extent(const Triangle& t, const K& k) {
   std::pair<Point3, Point3> e{t.a, t.a};
@@ -129,7 +130,8 @@ std::pair<Point3, Point3> extent(const Triangle& t, const K& k) {
 }  // namespace detail
 
 /// Decides operands for which both ends of the probe have volume zero with abc: they lie in one plane,
-/// or the triangle has no area. Exact kernels make it total; it costs at most 27 two-dimensional signs.
+/// or the triangle has no area. Exact kernels make it total; it costs at most 18 two-dimensional signs, beside
+/// comparisons.
 template <Kernel K, class P>
 Answer coplanar(const P& probe, const Triangle& t, const K& k) {
   for (const Axis dropped : all_axes) {

@@ -1,4 +1,4 @@
-// The covering of a polygon by triangles (o, pᵢ, pᵢ₊₁), and how a line passes them, told by signs.
+// The covering of a polygon by triangles (o, pᵢ, pᵢ₊₁), and on which sides a line passes their edges.
 // Source: Segura & Feito, "An algorithm for determining intersection segment-polygon in 3D", Computers & Graphics
 // 22(5), 1998; Jiménez, Segura & Feito, "Optimizing ray-tracing for complex solids", figure 1.
 #pragma once
@@ -31,7 +31,7 @@ struct Passage {
     return positive == negative ? Sign::zero : positive ? Sign::positive : Sign::negative;
   }
 
-  /// Of a line that pierces.
+  /// Where the line pierces the triangle. `direction()` must not be zero.
   Location location() const {
     const int internal = (oa == Sign::zero) + (bo == Sign::zero);
     if (ab == Sign::zero) return internal > 0 ? Location::vertex : Location::external_edge;
@@ -39,15 +39,16 @@ struct Passage {
   }
 };
 
-/// A crossing counts one by its direction; on an internal edge half, as the neighbour counts the other half.
+/// Twice what a crossing counts: 1 with the sign of its direction, or on an internal edge one half, since the neighbour
+/// counts the other half.
 constexpr int halves(Location l, Sign direction) { return (l == Location::internal_edge ? 1 : 2) * value(direction); }
 
 /// Whether a sum of halves is an odd whole number.
 constexpr bool is_odd(int halves) { return halves % 4 == 2 || halves % 4 == -2; }
 
 /// Calls visit(a, b, passage) for each triangle of the covering that is pierced or seen edge-on, ring edge by ring
-/// edge, until it returns true. `side(a, b)` is the side of ab that is asked for: of the probe's line in space, or of a
-/// point in the plane, so one walk serves both. Cost: one sign a vertex, two where the line passes between two spokes.
+/// edge, until it returns true. `side(a, b)` says on which side of ab the probe's line passes in space, or a point
+/// lies in the plane, so one loop serves both. Cost: one sign a vertex, two where the line passes between two spokes.
 template <class Side, class Visit>
 void visit_passed(const Polygon& polygon, const Side& side, const Visit& visit) {
   const Point3* const o = polygon.vertices.data();
@@ -77,7 +78,7 @@ struct Plane {
   Axis dropped;
 };
 
-/// What is known of a polygon before any probe is. It views the polygon, which must outlive it.
+/// What is computed of a polygon before any probe is known. It views the polygon, which must outlive it.
 /// The covering itself needs no memory: triangle i is (o, pᵢ, pᵢ₊₁), o the first vertex of the first ring.
 struct Covering {
   Polygon polygon;
@@ -117,8 +118,8 @@ bool lies_in(const Polygon& polygon, const Plane& plane, const K& k) {
 }
 
 /// Whether the triangles of one planar ring are a triangulation: all turn the same way, and seen from o no vertex lies
-/// half a turn or more beyond the first. Convex rings without vertices on the lines of the edges at o qualify, and all
-/// others that are seen whole from o.
+/// half a turn or more beyond the first. Convex rings without further vertices on the lines of the two edges at o
+/// qualify, and so do all other rings that are visible from o as a whole.
 template <Kernel K>
 bool is_fan(const Polygon& polygon, Axis dropped, const K& k) {
   if (polygon.rings() != 1) return false;

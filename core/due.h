@@ -1,4 +1,4 @@
-// What a contract makes of an exact answer.
+// What a contract owes to a case: a hit, a miss, or nothing.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace tribunal {
 /// `unsaid` where it does not cross: there is no contact, it is coplanar, or the target is a polygon.
 enum class Facing : std::uint8_t { unsaid, front, back };
 
-/// What is exactly so of a case, as far as a contract can turn on it.
+/// The exact facts of a case on which a contract can depend.
 struct Facts {
   bool of_ray = false;
   bool of_polygon = false;
@@ -48,7 +48,7 @@ constexpr Due at_boundary(Boundary boundary) {
   return boundary == Boundary::open ? Due::miss : Due::nothing;
 }
 
-/// The contact is by one end of the probe, or may be.
+/// What the reading of ends makes of a contact at `at`; where that is `unsaid`, an end may be all that is in contact.
 constexpr Due at_end(Ends ends, At at) {
   if (ends == Ends::closed || at == At::between) return Due::hit;
   return ends == Ends::open && at != At::unsaid ? Due::miss : Due::nothing;
@@ -67,7 +67,7 @@ constexpr Due both(Due a, Due b) {
 
 }  // namespace due_detail
 
-/// What the contract owes to a case of which this is so. The format is not looked at: it is one of the case file.
+/// What the contract owes to a case with these facts. The format is not looked at here: it belongs to the case.
 constexpr Due due(const Contract& c, const Facts& f) {
   using namespace due_detail;
   const Boundary boundary = f.of_polygon ? c.polygon_boundary : c.boundary;
@@ -78,7 +78,7 @@ constexpr Due due(const Contract& c, const Facts& f) {
   return f.boundary ? both(crossing, at_boundary(boundary)) : crossing;
 }
 
-/// From which side the probe crosses the triangle, given that it does: it meets the triangle and not in its plane.
+/// From which side the probe crosses the triangle. The probe must meet the triangle and not lie in its plane.
 template <Kernel K, class P>
 Facing facing(const P& probe, const Triangle& t, const K& k) {
   const Sign start = k.orient3d(t.a, t.b, t.c, source(probe));

@@ -13,7 +13,7 @@ namespace tribunal {
 ///
 /// Laws of every kernel: it is a pure function of the coordinates; +0 and −0 are the same.
 /// Laws of an exact kernel:
-///   (1) orient3d(0, x, y, z axes) = positive, and orient2d of (0,0), (1,0), (0,1) is positive;
+///   (1) orient3d of (0,0,0), (1,0,0), (0,1,0), (0,0,1) and orient2d of (0,0), (1,0), (0,1) are positive;
 ///   (2) swapping two points negates orient3d and orient2d; compare(a, b) = −compare(b, a);
 ///   (3) multiplying all coordinates by a power of two, or one axis by a positive one, changes nothing,
 ///       as long as no coordinate overflows or loses bits; negating one axis negates orient3d;
@@ -43,7 +43,7 @@ HitParameter<N> hit_parameter(const Ray& r, const Triangle& t) {
   return {signed_volume<N>(t.a, t.b, t.c, r.o), -signed_volume<N>(t.a, t.b, t.c, r.d)};
 }
 
-/// Has the sign of t₁ − t₂, for two triangles that the ray crosses (both denominators nonzero):
+/// The sign of t₁ − t₂, for two triangles that the ray crosses (both denominators nonzero):
 /// n₁/d₁ − n₂/d₂ = (n₁·d₂ − n₂·d₁) / (d₁·d₂), so no division is needed.
 template <class N>
 Sign order_of_hits(const Ray& r, const Triangle& s, const Triangle& t) {
@@ -53,7 +53,7 @@ Sign order_of_hits(const Ray& r, const Triangle& s, const Triangle& t) {
   return sign_of(difference) * sign_of(f.den) * sign_of(g.den);
 }
 
-/// The kernel that evaluates the formulas in N and takes the sign of what comes out. Exact iff N is.
+/// The kernel that evaluates the formulas in N and takes the sign of the result. Exact iff N is.
 /// `float` and `double` give the naive kernels, an exact N the reference.
 template <class N>
 struct FormulaKernel {

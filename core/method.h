@@ -31,7 +31,7 @@ struct PreparedTriangle {
 /// A method's answers about one ray, which it has prepared.
 using PreparedRay = std::function<Answer(const Triangle&)>;
 
-/// The weights of the vertices b and c in a point of a triangle a b c; that of a is what they leave of 1.
+/// The weights of the vertices b and c in a point of a triangle a b c; the weight of a is 1 − b − c.
 struct BarycentricWeights {
   double b = 0, c = 0;
 };
@@ -49,28 +49,28 @@ struct Card {
   std::string reference{};  ///< where it was published
 };
 
-/// Fuzz, certify, render and chart take methods by name and know nothing else about them. What a method can do beside
-/// answering is said by the functions that it has (core/capability.h).
+/// An intersection test on trial. The commands know of a method what stands here and nothing else. What it can do
+/// besides answering is said by which of the functions below it has (core/capability.h).
 struct Method {
   std::string name{};  ///< e.g. "sf-double"
   Card card{};
   Contract contract{};
-  std::vector<Stage> stages{};  ///< the stages that its answers can come from; empty if it has none
+  std::vector<Stage> stages{};  ///< the stages that can decide its answers; empty if it has none
   bool tells_contact = false;   ///< its answers say which part of the target is met
   bool on_tree_lanes =
       false;  ///< its filter is the one that the tree's vector lanes compute; goes with `segment`, `ray`
 
   std::function<Answer(const Segment&, const Triangle&)> segment{};
   std::function<Answer(const Ray&, const Triangle&)> ray{};
-  /// `segment` or `ray` with the class added, for methods that work from signs; else empty.
+  /// The answer of `segment` or `ray` with the class added, for methods that work from signs; else empty.
   std::function<Answer(const Probe&, const Triangle&)> classify{};
-  /// Sign of t₁ − t₂ for two triangles that the ray crosses; empty if the method has no opinion.
+  /// Sign of t₁ − t₂ for two triangles that the ray crosses; empty if the method does not order hits.
   std::function<Sign(const Ray&, const Triangle&, const Triangle&)> compare_hits{};
   /// The parameter t of the point o + t·d where the ray hits the triangle, as the method computes it: nothing where it
   /// reports no hit, or a hit of many points. Empty if the method yields none.
   std::function<std::optional<double>(const Ray&, const Triangle&)> parameter{};
-  /// The same with the weights of the vertices; nothing where the method reports no hit. What it computes need not be
-  /// finite. Empty if the method yields no such point.
+  /// The parameter t with the weights of the vertices; nothing where the method reports no hit. These numbers need not
+  /// be finite. Empty if the method yields none.
   std::function<std::optional<HitAt>(const Ray&, const Triangle&)> hit{};
   /// The same test on exact numbers: what it answers to a query if no operation rounds. A wrong answer that the twin
   /// gives too is a fault of logic; one that it does not give is rounding. Empty if the method is exact, or has none.
@@ -79,7 +79,8 @@ struct Method {
   /// Answers about many pairs at once, one each, as `ask` would give them; empty if the method has no batch form.
   /// The operands are finite.
   std::function<void(std::span<const TrianglePair>, std::span<Answer>)> batch{};
-  /// `ask`, of one pair after the other, where a call has a price of its own; empty if nothing is gained.
+  /// Answers each pair as `ask` would, one after the other, all in one call: for methods of which a call itself is
+  /// costly. Empty for all others.
   std::function<void(std::span<const TrianglePair>, std::span<Answer>)> ask_each{};
 
   /// More about the fault in the last answer that the calling thread was given, e.g. "SIGSEGV"; empty if the method
@@ -88,8 +89,8 @@ struct Method {
 
   /// Its test of polygons with at least one vertex and finite coordinates; empty if it takes none.
   std::function<PreparedPolygon(const Polygon&)> polygon{};
-  /// What it makes of a triangle, or of a ray, for many questions to come, which it then answers as `segment` and `ray`
-  /// do; empty if it prepares none. The operands are finite.
+  /// Prepares a triangle, or a ray, for many queries, which are then answered as `segment` and `ray` would; empty if
+  /// the method prepares none. The operands are finite.
   std::function<PreparedTriangle(const Triangle&)> prepare_triangle{};
   std::function<PreparedRay(const Ray&)> prepare_ray{};
 

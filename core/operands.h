@@ -24,8 +24,8 @@ struct Ray {
   Direction d;
 };
 
-/// A probe starts at `source` and runs to `target`: a point, or a point at infinity. The tests below are
-/// written once in these two words and serve segments and rays alike.
+/// A probe starts at `source` and runs to `target`: a point, or a point at infinity. The tests are written once in
+/// these two words and serve segments and rays alike.
 inline const Point3& source(const Segment& s) { return s.p; }
 inline const Point3& target(const Segment& s) { return s.q; }
 inline const Point3& source(const Ray& r) { return r.o; }
@@ -33,7 +33,7 @@ inline const Direction& target(const Ray& r) { return r.d; }
 
 using Probe = std::variant<Segment, Ray>;
 
-/// A probe and a triangle, plain: what batches are made of.
+/// A probe and a triangle: an element of a batch.
 struct TrianglePair {
   Probe probe;
   Triangle triangle;

@@ -19,7 +19,7 @@ using Ring = std::span<const Point3>;
 /// As a point set, if all vertices lie in one plane: the closed even–odd region of all rings (its points off the ring
 /// edges are those from which a ray that meets no vertex crosses an odd number of edges), with all ring edges. Then
 /// neither the direction nor the order of the rings nor their start matter, nor which of them is called outer.
-/// Otherwise: the surface of `covering.h`.
+/// Otherwise: the surface made of the triangles of its covering (`covering.h`).
 struct Polygon {
   std::span<const Point3> vertices;   ///< ring after ring
   std::span<const std::size_t> ends;  ///< ends[i]: how many vertices rings 0..i have in all

@@ -17,7 +17,7 @@ struct Description {
 template <class N>
 using Inclusion = bool (*)(const ClassicalPolygon<N>&, const Vec2<N>&);
 
-/// The classical ways tell neither contact nor planarity: they assume the latter.
+/// The classical tests do not say which contact a hit is, and they take every polygon to be planar.
 template <class N, class P>
 Answer ask(const P& probe, const ClassicalPolygon<N>& c, Inclusion<N> inside) {
   const std::optional<PlaneHit<N>> hit = plane_hit(c, probe);
@@ -31,7 +31,7 @@ PreparedPolygon prepare(const Polygon& polygon, Inclusion<N> inside) {
           .ray = [c, inside](const Ray& r) { return ask(r, *c, inside); }};
 }
 
-/// A triangle is a ring of three.
+/// A triangle is tested as a polygon of one ring.
 template <class N, class P>
 Answer ask_triangle(const P& probe, const Triangle& t, Inclusion<N> inside) {
   const Point3 vertices[] = {t.a, t.b, t.c};

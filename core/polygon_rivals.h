@@ -1,4 +1,4 @@
-// The classical ways with polygons as methods, each in binary32 and binary64.
+// The classical tests of polygons as methods, each in binary32 and binary64.
 #pragma once
 
 #include "core/method.h"

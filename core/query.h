@@ -12,7 +12,7 @@ namespace tribunal {
 
 using Target = std::variant<Triangle, PolygonData>;
 
-/// What a question is about; in the order of `Target`.
+/// The kinds of target, in the order of `Target`.
 enum class Operands : std::uint8_t { triangles, polygons };
 
 struct Query {
@@ -21,7 +21,7 @@ struct Query {
 
   Operands operands() const { return static_cast<Operands>(target.index()); }
 
-  /// The target, which must be one; else std::bad_variant_access is thrown.
+  /// The target as a triangle or as a polygon; throws std::bad_variant_access if it is the other.
   const Triangle& triangle() const { return std::get<Triangle>(target); }
   Triangle& triangle() { return std::get<Triangle>(target); }
   const PolygonData& polygon() const { return std::get<PolygonData>(target); }

@@ -25,10 +25,10 @@ PlaneSides sides_of(const Triangle& t, const P& probe, const K& k) {
   return {k.orient3d(t.a, t.b, t.c, source(probe)), k.orient3d(t.a, t.b, t.c, target(probe))};
 }
 
-/// What a probe meets of a covering.
+/// What a probe meets in a covering.
 struct Crossings {
-  int halves = 0;           ///< twice the signed sum of figure 1
-  bool boundary = false;    ///< a ring edge or ring vertex is met; nothing else was counted then
+  int halves = 0;           ///< twice the signed sum of crossings
+  bool boundary = false;    ///< a ring edge or ring vertex is met; the other numbers are then incomplete
   std::size_t edge_on = 0;  ///< triangles seen edge-on; if all are, the probe may lie in the polygon's plane
   bool one_place = true;    ///< all crossings agree on `at`
   At at = At::unsaid;
@@ -47,8 +47,8 @@ bool meets_ring_edge(const P& probe, const Point3& a, const Point3& b, const K& 
   return lexicographic(a, b, k) == Sign::negative ? meets_segment(probe, b, a, k) : meets_segment(probe, a, b, k);
 }
 
-/// Figure 1. `sides(a, b)` are those of the plane of (o, a, b). A triangle seen edge-on counts nothing itself, but its
-/// ring edge may still be met.
+/// Figure 1 of Jiménez et al.: the signed sum of crossings. `sides(a, b)` gives the sides of the plane of (o, a, b) on
+/// which the probe's ends lie. A triangle seen edge-on counts nothing itself, but its ring edge may still be met.
 template <Kernel K, class P, class SidesOf>
 Crossings crossings(const P& probe, const Covering& c, const SidesOf& sides, const K& k) {
   Crossings sum;
@@ -80,7 +80,7 @@ bool is_inside(const Point3& x, const Polygon& polygon, Axis dropped, const K& k
   return is_odd(sum);
 }
 
-/// Whether visit(a, b) holds for a ring edge.
+/// Whether visit(a, b) holds for some ring edge ab.
 template <class Visit>
 bool any_ring_edge(const Polygon& polygon, const Visit& visit) {
   for (std::size_t r = 0; r < polygon.rings(); ++r) {
@@ -113,7 +113,7 @@ Answer answer_of(const Crossings& sum, const P& probe, const Polygon& polygon, A
   return sum.hit() ? hit_at(Contact::interior, sum.one_place ? sum.at : At::unsaid) : miss();
 }
 
-/// All triangles in one plane, on whose sides the probe's ends lie.
+/// The crossings where all triangles lie in one plane; `sides` are the sides of it on which the probe's ends lie.
 template <Kernel K, class P>
 Crossings plane_crossings(const P& probe, const Covering& c, const PlaneSides& sides, const K& k) {
   return crossings(
@@ -131,7 +131,7 @@ Answer meet_planar(const P& probe, const Covering& c, const K& k) {
   return answer_of(plane_crossings(probe, c, s, k), probe, c.polygon, s.at(), k);
 }
 
-/// Each triangle in its own plane.
+/// The crossings where each triangle has a plane of its own.
 template <Kernel K, class P>
 Crossings surface_crossings(const P& probe, const Covering& c, const K& k) {
   const Point3& o = c.polygon.vertices.front();
@@ -151,7 +151,8 @@ Crossings surface_crossings(const P& probe, const Covering& c, const K& k) {
 /// met or the signed sum of crossings is an odd whole number; a probe in the plane of one triangle, crossing another
 /// on the edge they share, counts half, which is not odd.
 /// Contact: `coplanar` iff planar and the probe lies in the plane; `vertex` iff else the probe meets a ring vertex,
-/// `edge` iff else a ring edge. `at` where one point is met, or several alike. On a line of vertices all is coplanar.
+/// `edge` iff else a ring edge. `at` is said where one point is met, or several that agree on it. If all vertices
+/// lie on one line, every contact is coplanar.
 template <Kernel K, class P>
 Answer segura_feito(const P& probe, const Covering& c, const K& k) {
   if (c.is_triangle()) return segura_feito(probe, c.triangle(), k);
@@ -164,9 +165,9 @@ Answer segura_feito(const P& probe, const Covering& c, const K& k) {
   return answer;
 }
 
-/// The same with the covering made on the fly: no plane is sought. Only if a ring edge is met, or all is seen edge-on,
-/// is the polygon prepared after all. The answer is that of the prepared form, for an exact kernel, but for `planar`,
-/// which is not asked for.
+/// The same without preparation: no plane is sought. Only if a ring edge is met, or all triangles are seen edge-on, is
+/// the polygon prepared after all. For an exact kernel the answer is that of the prepared form, except that `planar`
+/// may be true of a polygon that is not.
 template <Kernel K, class P>
 Answer segura_feito(const P& probe, const Polygon& polygon, const K& k) {
   const Covering unprepared{.polygon = polygon};

@@ -27,7 +27,7 @@ struct Vec3 {
   friend Vec3 operator-(const Vec3& a, const Vec3& b) { return {N(a.x - b.x), N(a.y - b.y), N(a.z - b.z)}; }
 };
 
-/// The point seen by number type N: exact for binary64 and every exact type, rounded to nearest for binary32.
+/// The point in number type N: exact for binary64 and every exact type, rounded to nearest for binary32.
 template <class N>
 Vec3<N> lift(const Point3& p) {
   return {static_cast<N>(p.x), static_cast<N>(p.y), static_cast<N>(p.z)};

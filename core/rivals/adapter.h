@@ -1,4 +1,4 @@
-// Makes all that a method does of one function of a published test.
+// Makes a method of a published test: all functions of `Method` from the one or two that the test has.
 //
 // A rival R on the number type N has a `card` and a `contract`, says what it keeps of a triangle (`Prepared`, made by
 // `prepare`; Corners<N> if it prepares nothing), and has one of
@@ -96,7 +96,7 @@ HitOf<R> meet(const P& probe, const Triangle& t) {
   return meet<R>(probe, prepared<R>(t));
 }
 
-/// A rival has coordinates of the hit, not signs: it tells no kind of contact.
+/// A rival computes coordinates of the hit, not signs, so it does not say which contact a hit is.
 template <class R, class P, class T>
 Answer answer_of(const P& probe, const T& t) {
   if (std::is_same_v<P, Ray> && !takes_rays<R>) return refusal(Status::unsupported);
@@ -128,7 +128,7 @@ std::optional<HitAt> hit_of(const Ray& r, const Triangle& t) {
   return at;
 }
 
-/// A t that is no number is none.
+/// The parameter of the hit; nothing if it is a NaN.
 template <class R>
 std::optional<double> parameter_of(const Ray& r, const Triangle& t) {
   const std::optional<HitAt> hit = hit_of<R>(r, t);

@@ -16,13 +16,13 @@ struct BaldwinWeber {
   static constexpr Contract contract{
       .triangles = Triangles::proper, .convention = Convention::transversal, .boundary = Boundary::unspecified};
 
-  /// u·x + v·y + d of the two coordinates that are not fixed.
+  /// The linear function u·x + v·y + d of the two coordinates x, y that are not fixed.
   struct Row {
     N u, v, d;
     N of(const Vec2<N>& p) const { return u * p.u + v * p.v + d; }
   };
 
-  /// The third row has 1 in the fixed column, the others 0.
+  /// The rows of the transformation. In the fixed column, which is not kept, the row `height` has 1, the others 0.
   struct Prepared {
     Row of_b, of_c, height;
     Axis fixed;

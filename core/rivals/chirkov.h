@@ -11,7 +11,8 @@ namespace tribunal::published {
 
 namespace chirkov_detail {
 
-/// What both variants decide by: the sides of the ends of the segment to the plane, and the axis that is dropped.
+/// What both variants decide by: the signed distances, unnormalised, of the segment's ends from the plane, and the axis
+/// that is dropped.
 template <class N>
 struct Sides {
   N source, target;
@@ -23,8 +24,9 @@ N area(const Vec2<N>& f, const Vec2<N>& g) {
   return f.u * g.v - f.v * g.u;
 }
 
-/// The crossing point lies strictly on one side of two edges that start at `base`, if the product is positive. Scaled
-/// by the difference of the sides, it is base + source side · direction.
+/// Whether the crossing point lies strictly inside the angle of two edges e and f that start at one corner, or inside
+/// the opposite angle. `base` is p − corner, `direction` q − p, both projected. The crossing point minus the corner,
+/// times `scale`, is scale · base + s.source · direction.
 template <class N>
 bool between(const Sides<N>& s, const Vec2<N>& direction, const Vec2<N>& base, const Vec2<N>& e, const Vec2<N>& f) {
   const N scale = s.source - s.target;

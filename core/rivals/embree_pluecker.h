@@ -37,7 +37,7 @@ struct EmbreePluecker {
     return dot(cross(Vec3<N>{x.x + y.x, x.y + y.y, x.z + y.z}, e), d);
   }
 
-  /// One coordinate of a × b or of b × c, equal since a + b + c = 0: that whose subtrahend is smaller.
+  /// One coordinate of a × b or of b × c, which are equal since a + b + c = 0: the one with the smaller subtrahend.
   static N stabler(const N& minuend_ab, const N& ab, const N& minuend_bc, const N& bc) {
     return absolute(ab) < absolute(bc) ? N(minuend_ab - ab) : N(minuend_bc - bc);
   }

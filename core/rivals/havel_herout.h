@@ -18,13 +18,13 @@ struct HavelHerout {
                                      .boundary = Boundary::unspecified,
                                      .ends = Ends::unspecified};
 
-  /// n·x + d.
+  /// A normal and an offset.
   struct Level {
     Vec3<N> n;
     N d;
   };
 
-  /// The plane through the triangle, with its height for d, and those on which the weights of b and c are zero.
+  /// The plane of the triangle as n·x = d, and the functions n·x + d that yield the weights of b and c.
   struct Prepared {
     Level plane, of_b, of_c;
   };

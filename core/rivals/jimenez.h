@@ -28,7 +28,7 @@ struct Jimenez {
   }
 
  private:
-  /// The theorem: `first` is not in the plane (w ≠ 0), on the side that s is measured from.
+  /// The theorem, for a `first` that is not in the plane. w ≠ 0 and s are the volumes of `first` and `second` with abc.
   static std::optional<RivalHit<N>> from_outside(const Vec3<N>& first, const Vec3<N>& second, const Vec3<N>& to_a,
                                                  const Vec3<N>& to_b, const N& w, const N& s, bool swapped) {
     const Vec3<N> beside = cross(first, second);

@@ -7,7 +7,8 @@
 
 namespace tribunal::published {
 
-/// The system of equation (4): the edges from a, and its determinant with the product that goes into it.
+/// The system of equation (4): the edges from a, its determinant, and the cross product that the determinant is made
+/// of.
 template <class N>
 struct MoellerTrumboreSystem {
   Vec3<N> e1, e2, pvec;

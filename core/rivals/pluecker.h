@@ -15,8 +15,8 @@ bool same_side(const N& u, const N& v, const N& w) {
   return (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
 }
 
-/// The hit, from the volumes det(d, x − o, y − o) of the edges opposite to a, b and c and the plane. The volumes of a
-/// line in the plane are all zero.
+/// The hit from the volumes det(d, x − o, y − o) of the edges xy opposite to a, b and c, with t = height / slope from
+/// the plane. The three volumes of a line in the plane are zero.
 template <class N>
 std::optional<RivalHit<N>> hit_by_volumes(const N& of_a, const N& of_b, const N& of_c, const N& height,
                                           const N& slope) {

@@ -26,7 +26,7 @@ struct RivalHit {
   std::optional<Weights<N>> weights{};
 };
 
-/// The vertices of a triangle: what a test keeps that prepares nothing.
+/// The vertices of a triangle, which is all that a test without preparation keeps.
 template <class N>
 struct Corners {
   Vec3<N> a, b, c;

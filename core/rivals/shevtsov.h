@@ -15,7 +15,8 @@ struct Shevtsov {
   static constexpr Contract contract{
       .triangles = Triangles::proper, .convention = Convention::transversal, .boundary = Boundary::unspecified};
 
-  /// The plane scaled to 1 on the dropped axis, the projected vertex a, and the projected edges, scaled likewise.
+  /// The plane scaled so that its normal is 1 on the dropped axis, the projected vertex a, and the projected edges,
+  /// scaled by the same factor.
   struct Prepared {
     Vec2<N> normal;
     N height;

@@ -1,4 +1,4 @@
-// Five orientations, each of points that are moved by next to nothing, so that none of them is zero: a probe through
+// Five orientations, each of points that are moved infinitely little, so that none of them is zero: a probe through
 // an edge or a vertex hits exactly one of the faces around it.
 // Source: Edelsbrunner & Mücke, "Simulation of Simplicity: A Technique to Cope with Degenerate Cases in Geometric
 // Algorithms", ACM Transactions on Graphics 9(1), 1990, doi:10.1145/77635.77639: coordinate j of point i is moved by
@@ -21,7 +21,7 @@ template <class N>
 struct Row {
   Vec3<N> v;
   int w;
-  int rank;  ///< its place in the order of perturbations, the first being moved farthest
+  int rank;  ///< its place in the order of perturbations; the first is moved farthest
 };
 
 template <class N>
@@ -45,8 +45,8 @@ N determinant(const Rows<N>& r) {
          minor(r[1], r[3]) * depth(r[0], r[2]) + minor(r[2], r[3]) * depth(r[0], r[1]);
 }
 
-/// The bits of a coefficient: bit 3·i + 2 − j stands for coordinate j of the point i. At most one a point and one a
-/// coordinate: the determinant has no other products.
+/// Whether a set of perturbations occurs as a product in the determinant. Bit 3·i + 2 − j stands for that of coordinate
+/// j of row i; the determinant's products have at most one factor of each row and of each coordinate.
 constexpr bool is_product(int bits) {
   int points = 0, axes = 0;
   for (int bit = 0; bit < 12; ++bit) {
@@ -59,7 +59,7 @@ constexpr bool is_product(int bits) {
   return true;
 }
 
-/// All products in the order of their powers of ε, the empty one left out: 12 + 36 + 24.
+/// All such products of one, two or three factors (12 + 36 + 24), in ascending order of their powers of ε.
 constexpr std::array<int, 72> all_products() {
   std::array<int, 72> products{};
   std::size_t n = 0;
@@ -71,7 +71,7 @@ constexpr std::array<int, 72> all_products() {
 
 inline constexpr std::array<int, 72> products = all_products();
 
-/// The rows with those of the coefficient replaced by unit vectors: their determinant is the coefficient.
+/// The rows with those that `bits` names replaced by unit vectors: their determinant is the coefficient of the product.
 template <class N>
 Rows<N> with_units(Rows<N> r, int bits) {
   for (int bit = 0; bit < 12; ++bit) {
@@ -93,7 +93,7 @@ bool sort_by_rank(Rows<N>& r) {
   return odd;
 }
 
-/// The determinant of rows that are not perturbed, of differences to the first, which is a point.
+/// The determinant of the rows without perturbation, by differences to the first row, which must be a point.
 template <class N>
 N unperturbed(const Rows<N>& r) {
   const auto from_first = [&](const Row<N>& row) { return row.w == 1 ? row.v - r[0].v : row.v; };
@@ -118,7 +118,7 @@ struct SimulationOfSimplicity {
   using Number = N;
   using Prepared = Corners<N>;
   static constexpr RivalCard card{"five orientations of perturbed points: none is zero", "Edelsbrunner & Mücke 1990"};
-  /// A ray without a direction would be given one, and might meet what is far from it.
+  /// Proper operands only: the perturbation gives a ray without direction one, and the ray might hit what is far away.
   static constexpr Contract contract{.triangles = Triangles::proper,
                                      .convention = Convention::unspecified,
                                      .boundary = Boundary::half_open,

@@ -14,13 +14,13 @@ struct Wald {
   static constexpr RivalCard card{"stored projection (TriAccel), two coordinates linear in the hit", "Wald 2004"};
   static constexpr Contract contract{.convention = Convention::transversal};
 
-  /// u·x + v·y + d of a projected point (x, y).
+  /// The linear function u·x + v·y + d of a projected point (x, y).
   struct Linear {
     N u, v, d;
   };
 
   struct Prepared {
-    Linear plane;  ///< the height of the plane's point on the dropped axis is d − u·x − v·y
+    Linear plane;  ///< on the plane, the dropped coordinate is d − u·x − v·y
     Axis dropped;
     Linear of_b, of_c;
   };

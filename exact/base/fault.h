@@ -1,4 +1,4 @@
-// What a method may do that is no answer.
+// What a method may do instead of answering.
 #pragma once
 
 #include <string>
@@ -10,10 +10,10 @@
 
 namespace tribunal {
 
-/// What a method did on a query in place of being a function of it, if anything.
+/// The fault of a method on one query, if there was one.
 struct Fault {
   Status kind = Status::ok;  ///< `ok`, or a fault
-  std::string detail{};      ///< which exception, which signal, after which time; may be empty
+  std::string detail{};      ///< which exception, which signal, after how long; may be empty
 
   explicit operator bool() const { return is_fault(kind); }
 };
@@ -34,8 +34,8 @@ constexpr Status fault_named(std::string_view name) {
   return Status::ok;
 }
 
-/// Thrown by a method that could not answer. Where nothing catches it, it ends the command with one line that has the
-/// case.
+/// Thrown by a method that could not answer. Where nothing catches it, it ends the command with one line that contains
+/// the case.
 class MethodFault : public Failure {
  public:
   MethodFault(Fault fault, const std::string& line) : Failure(Exit::disagreement, line), fault_(std::move(fault)) {}

@@ -34,14 +34,14 @@ void write_all(std::FILE* out, std::string_view bytes, const std::string& name) 
   if (!written) throw output_failed(name, errno);
 }
 
-/// `name`: of the file in messages.
+/// `name` is what messages call the file.
 void write_in_place(const std::string& path, std::string_view bytes, const std::string& name) {
   const File out(std::fopen(path.c_str(), "wb"));
   if (!out) throw output_failed(name, errno);
   write_all(out.get(), bytes, name);
 }
 
-/// The name that the file has or would have, without links and detours.
+/// The name that the file has or would have, absolute, without links and "..".
 fs::path resolved(const std::string& path) {
   std::error_code error;
   const fs::path whole = fs::absolute(path, error);  // weakly_canonical leaves "b.png" relative, and not "./b.png"

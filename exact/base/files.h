@@ -1,4 +1,4 @@
-// Reading whole files and writing them so that a reader never meets half of one.
+// Reading whole files, and writing them so that no reader sees a file half written.
 #pragma once
 
 #include <cstddef>
@@ -8,15 +8,15 @@
 
 namespace tribunal {
 
-/// The bytes of a file, or of standard input for "-". Fails with Exit::bad_input: missing, a directory, unreadable,
-/// larger than `limit` bytes.
+/// The bytes of a file, or of standard input for "-". Fails with Exit::bad_input if it is missing, a
+/// directory, unreadable or larger than `limit` bytes.
 std::string read_file(const std::string& path, std::size_t limit = std::size_t{1} << 32);
 
 /// Whether the path names a device or a pipe, which is written in place and has no contents to lose.
 bool is_special(const std::string& path);
 
-/// Writes to a temporary name beside `path` and renames; "-" is standard output. Fails with Exit::output_failed, in
-/// whose message the file has the name that was asked for.
+/// Writes to a temporary name beside `path` and renames; "-" is standard output. Fails with Exit::output_failed; the
+/// message names `path`, not the temporary name.
 void write_file(const std::string& path, std::string_view bytes);
 
 /// Creates the directory and its parents. Fails with Exit::output_failed.

@@ -12,7 +12,7 @@
 namespace tribunal {
 namespace {
 
-/// Rounding to nearest, ties to even: 1 + u stays 1, and so does −1 − u; a subnormal survives halving and doubling.
+/// Round to nearest, ties to even: 1 + u rounds to 1, and −1 − u to −1; a subnormal survives halving and doubling.
 bool rounds_as_expected() {
   volatile double one = 1;
   volatile double u = 0x1p-53;
@@ -33,8 +33,8 @@ void repair() {
 #endif
 }
 
-/// Before static objects are made: CGAL notes the rounding mode when it makes its own, and aborts at exit if it is
-/// another by then.
+/// Runs before static objects are made: CGAL notes the rounding mode when it makes its own, and aborts at exit if the
+/// mode is another then.
 [[gnu::constructor(101)]] void repair_at_start() {
   if (!rounds_as_expected()) repair();
 }

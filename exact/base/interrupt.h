@@ -3,8 +3,8 @@
 
 namespace tribunal {
 
-/// Installs the handlers: for work that asks interrupted() from time to time. Anything else ends at the signal, as
-/// programs do.
+/// Installs the handlers, for work that calls interrupted() from time to time. Without them a signal ends the program
+/// at once.
 void watch_interrupts();
 
 /// The signal that asked for an end, or 0.

@@ -40,7 +40,8 @@ bool is_tiny(std::string_view hex_float) {
   return p != std::string_view::npos && hex_float.substr(p + 1).starts_with('-');
 }
 
-/// from_chars knows no "0x" and no locale; this takes the C99 form apart and hands it the rest.
+/// Parses the C99 form of a hex float. std::from_chars, which does not depend on the locale, takes no "0x", so sign and
+/// prefix are read here.
 bool parse_hex_float(std::string_view text, double& x) {
   const bool negative = text.starts_with('-');
   if (negative || text.starts_with('+')) text.remove_prefix(1);

@@ -29,7 +29,8 @@ Json parse_json(std::string_view text, const Where& where);
 /// The member; fails if it is missing.
 const Json& require(const Json& object, std::string_view key, const Where& where);
 
-/// Fails if the value is no object or has a key that is not in the list, naming the one that it resembles, or all.
+/// Fails if the value is no object or has a key that is not in the list. The message names the known key that it
+/// resembles, or all known keys.
 void require_keys(const Json& object, std::initializer_list<std::string_view> known, const Where& where);
 
 }  // namespace tribunal

@@ -1,4 +1,4 @@
-// What to say of a word that is none of the known ones.
+// What to say about a word that is not among the known ones.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace tribunal {
 
-/// `, did you mean "hit"?` with the known word that is nearest by edit distance, if it resembles: at most a third of
-/// the letters of the longer word, rounded, are other ones. Else `, expected ` and what is given for that.
+/// `, did you mean "hit"?` with the known word that is nearest by edit distance, if it resembles the
+/// word: the distance is at most a third of the longer word's length, rounded. Else `, expected ` and `otherwise`.
 std::string suggestion(std::string_view word, const std::vector<std::string>& known, const std::string& otherwise);
 
 }  // namespace tribunal

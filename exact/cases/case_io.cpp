@@ -120,7 +120,7 @@ void add_target(Json& object, const Polygon& polygon) {
   object["rings"] = std::move(rings);
 }
 
-/// Triangles and polygons are certified apart.
+/// Triangles and polygons have separate certificates.
 void require_operands(Operands operands, const Json& object, const Where& where) {
   if (!object.is_object()) return;
   if (operands == Operands::triangles && object.contains("rings")) {

@@ -16,10 +16,10 @@ struct Case {
   std::string id{};
   Format format = Format::binary64;
   Query query{};
-  std::optional<bool> expect{};  ///< closed-set reading
-  ClassId class_id = 0;          ///< of a triangle; 0: not said
+  std::optional<bool> expect{};  ///< whether the closed sets meet, if the file says so
+  ClassId class_id = 0;          ///< of a triangle case; 0 if the file does not say
   std::string source{};
-  Json finding{};  ///< what a counterexample adds: carried along, not interpreted
+  Json finding{};  ///< what a counterexample adds: passed on, not interpreted
 };
 
 /// One case, with "tri" or "rings". A key that the format does not have is an error.
@@ -33,10 +33,10 @@ void for_each_line(const std::string& path, const std::function<void(const Json&
 /// Every line of a case file that is not blank, in order. An empty file is an error.
 std::vector<Case> read_cases(const std::string& path);
 
-/// The same, where every case must have these operands.
+/// The same, but a case with other operands is an error.
 std::vector<Case> read_cases(const std::string& path, Operands operands);
 
-/// The method's answer to the case; of polygons with "planar".
+/// The method's answer to the case; for a polygon with "planar".
 Json from_answer(const Case& c, const Method& method, const Answer& answer);
 
 }  // namespace tribunal

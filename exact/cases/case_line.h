@@ -1,4 +1,4 @@
-// A question as one line of text, for messages.
+// A query as one line of text, for messages.
 #pragma once
 
 #include <string>

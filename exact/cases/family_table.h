@@ -11,7 +11,7 @@ namespace tribunal {
 /// All families of cases with these operands.
 std::span<const Family> families_of(Operands operands);
 
-/// Of either operands; nullptr if there is none of the name.
+/// The family of this name, of triangles or of polygons; nullptr if there is none.
 const Family* find_family(std::string_view name);
 
 }  // namespace tribunal

@@ -37,7 +37,7 @@ std::vector<WholeSet> sets_of_polygons(const Budget& budget) {
   return sets;
 }
 
-/// A digest of the stream's first cases, so that a log tells whether the seed that it names made them.
+/// A digest of the stream's first cases, by which a log shows that they were made from the seed that it names.
 std::string digest_of(const Stream& stream, std::uint64_t seed) {
   std::string first;
   for (std::uint64_t k = 0; k < 16; ++k)

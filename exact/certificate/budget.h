@@ -12,9 +12,9 @@
 
 namespace tribunal {
 
-/// What is run. `cases_per_class`: sampled cases of each class in each stream that proves classes, and 328 times as
-/// many a stream in the others. `rounds`: of polygons, how often each stream goes through all pairs of a ring
-/// configuration and a place (572 cases).
+/// How much is run. `cases_per_class`: sampled cases of each class in each stream that knows the class of its cases,
+/// and 328 times as many in each of the other streams. `rounds`: for polygons, how often each stream goes through all
+/// pairs of a ring configuration and a place (22 · 26 = 572 cases).
 struct Budget {
   std::string name;
   std::uint64_t cases_per_class;
@@ -25,11 +25,12 @@ struct Budget {
 };
 
 /// quick: with no failure in 280 the pointwise bound is 1.1 %. standard: all sets, 0.3 %. soak: with all streams that
-/// prove classes (16 today), 8.1·10⁶ cases a class, for which the simultaneous 95 % bound is 10⁻⁶; hours to days.
+/// know the class of their cases (16 today), 8.1·10⁶ cases a class, for which the simultaneous 95 % bound is 10⁻⁶;
+/// hours to days.
 inline const std::vector<Budget> budgets{
     {"quick", 280, false, 18}, {"standard", 1000, true, 108}, {"soak", 506'000, true, 10'800}};
 
-/// Sampled cases of each stream.
+/// How many cases each stream samples.
 std::uint64_t cases_per_stream(const Budget& budget, Operands operands);
 
 /// A set, and how it is run.
@@ -41,10 +42,10 @@ struct WholeSet {
 /// The sets that the budget runs whole, in order.
 std::vector<WholeSet> whole_sets(const Budget& budget, Operands operands);
 
-/// The record "stream" of a sampled stream, with all but what depends on the method.
+/// The record "stream" of a sampled stream, without what depends on the method.
 Json stream_record(const Stream& stream, std::uint64_t seed, std::uint64_t cases);
 
-/// The record with the word that it is about polygons; of triangles it goes without saying.
+/// The record, marked if it is about polygons; records about triangles have no mark.
 Json with_operands(Json record, Operands operands);
 
 /// The record "budget": what the budget asks for, in numbers.

@@ -1,4 +1,4 @@
-// From records to a certificate: reading, and what follows from what was read.
+// Makes a certificate of the records of a log: reads them, and derives strata, gaps and verdict.
 #include "exact/certificate/certificate.h"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ ProvedSet to_set(const Json& r, const Where& where) {
           .count = to_count(require(r, "count", where), where.key("count"))};
 }
 
-/// Triangles, unless the record says otherwise.
+/// The operands of a record: triangles, unless it says otherwise.
 Operands operands_in(const Json& r, const Where& where) {
   if (!r.contains("operands")) return Operands::triangles;
   if (string_of(r, "operands", where) != "polygons") where.key("operands").fail("expected \"polygons\" or no such key");
@@ -83,15 +83,16 @@ void read(Certificate& c, const Json& r, const Where& where) {
   }
 }
 
-/// Slots tell triangles and polygons of one family name (one's own cases) apart.
+/// Whether the row counts cases of the stream. Triangles and polygons may have one family name (one's own cases), but
+/// have different slots.
 bool belongs(const SampleRow& row, const SampledStream& stream) {
   return row.family == stream.family && row.format == stream.format;
 }
 
 std::string name_of(const SampledStream& s) { return s.family + " " + std::string(tribunal::name_of(s.format)); }
 
-/// Every class, construction or outcome that is due of every stream that the method takes, by segments and by rays,
-/// empty ones too.
+/// Adds a stratum for every class, construction or outcome that each stream must have cases of, for segments and rays,
+/// also where none was drawn.
 void add_strata(Certificate& c) {
   for (std::size_t i = 0; i < c.streams.size(); ++i) {
     const SampledStream& stream = c.streams[i];
@@ -131,7 +132,7 @@ void add_stream_gaps(Certificate& c) {
 
 std::string outside_contract(const Certificate& c) { return "outside the method's contract: " + in_words(c.contract); }
 
-/// Every stratum in which nothing was judged, or some of it was refused.
+/// Adds a gap for every stratum in which nothing was judged, or something was refused.
 void add_class_gaps(Certificate& c) {
   for (const Stratum& s : c.strata) {
     const SampledStream& stream = c.streams[s.stream];
@@ -153,9 +154,9 @@ void add_class_gaps(Certificate& c) {
   }
 }
 
-/// Why no answer to a class came from a stage; nothing if it should have. A filter certifies no vanishing sign, so a
-/// class that has one can leave it only where another sign rejects first. The last stage is for operands too wide for
-/// the one before, and few families are that wide.
+/// Why no answer to a class came from a stage; empty if one should have. A filter certifies no vanishing sign, so a
+/// class that has one can be decided by it only where another sign rejects first. The last stage is for operands too
+/// wide for the one before, and few families are that wide.
 std::string reason_of(Stage stage, ClassId id) {
   if (stage == Stage::filter && !is_generic(id)) return "a sign of the class vanishes, and no filter certifies a zero";
   if (stage == Stage::exact) return "no case of the class was too wide for the stage before";
@@ -205,7 +206,7 @@ void add_set_gaps(Certificate& c) {
   }
 }
 
-/// Of segments and of rays: what the contract names must have been asked, in the sample at least.
+/// The kinds of probe that the contract names must have been asked, at least in the sample.
 void add_probe_gaps(Certificate& c) {
   if (c.proved.empty()) return;  // what judge writes is about the cases of a file
   for (const bool rays : {false, true}) {

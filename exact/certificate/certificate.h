@@ -48,7 +48,7 @@ struct Stratum {
   Count count;
 };
 
-/// Something that the certificate does not speak of. `explained`: the reason lies in the contract or the family.
+/// Something that the certificate does not cover. `explained`: the reason lies in the contract or the family.
 struct Gap {
   std::string what, reason;
   bool explained;
@@ -71,7 +71,7 @@ struct Certificate {
   std::vector<Json> counterexamples;         ///< cases, as counterexamples.jsonl holds them
   std::string log_head;                      ///< hash of the log's last line
 
-  // What follows from these.
+  // What follows from the members above.
   std::vector<Stratum> strata;
   Coverage coverage;
   std::vector<Gap> gaps;
@@ -79,7 +79,7 @@ struct Certificate {
 
   std::string method() const { return plan.at("method"); }
   std::string word_of(Stage stage) const;  ///< the log's own word, one of `stages`
-  Operands operands() const;               ///< that the plan is about
+  Operands operands() const;               ///< the operands that the plan is about
   bool is_own(const Stratum& s) const { return streams[s.stream].is_own(); }
   std::size_t sampled_strata() const;  ///< which share the simultaneous bounds
   bool has_own() const;

@@ -17,9 +17,9 @@ struct CertifyPlan {
   Budget budget = budgets[0];
   std::uint64_t seed = 1;
   unsigned threads = 1;
-  std::vector<Stream> streams = {};  ///< none: all of them
+  std::vector<Stream> streams = {};  ///< if empty, all streams
   std::vector<Case> cases = {};      ///< the user's own cases, judged and reported beside the rest
-  std::vector<Truth> truths = {};    ///< their exact answers
+  std::vector<Truth> truths = {};    ///< the exact answers to `cases`
 };
 
 /// The exact answers to the user's cases. Fails with Exit::bad_input where a case of this file claims something false.
@@ -28,16 +28,16 @@ std::vector<Truth> truths_of(const std::vector<Case>& cases, const std::string& 
 /// The whole trial. Deterministic for a plan, whatever the number of threads. Fails if interrupted.
 ChainedLog certify(const CertifyPlan& plan);
 
-/// The user's own cases, whose exact answers are known, as a stream for each of operands and formats, with each that
-/// was answered wrongly as a counterexample. `answer` says what the method answered to case i; operands that it does
-/// not take are not asked.
+/// Logs the user's own cases, one stream for each kind of operands in each format; `truths` are their exact answers,
+/// and each case that was answered wrongly is logged as a counterexample. `answer` says what the method answered to
+/// case i; it is not called for operands that the method does not take.
 void log_own_cases(ChainedLog& log, const Method& method, const std::vector<Case>& cases,
                    const std::vector<Truth>& truths, const std::function<Answer(std::size_t)>& answer);
 
-/// The naive methods that run beside the method on trial: all but itself.
+/// The naive methods that run beside the method on trial: all except the method itself.
 std::vector<Method> calibration_beside(const std::string& method);
 
-/// The records "plan" and "environment", with which every certificate's log begins.
+/// Logs the records "plan" and "environment", with which every certificate's log begins.
 void log_plan(ChainedLog& log, const Method& method, Operands operands, const std::string& budget, std::uint64_t seed);
 
 }  // namespace tribunal

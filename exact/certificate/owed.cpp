@@ -8,7 +8,7 @@
 namespace tribunal {
 namespace {
 
-/// Collects faults.
+/// Collects what a log lacks, one line each.
 class Debts {
  public:
   void unless(bool paid, const std::string& fault) {
@@ -20,7 +20,7 @@ class Debts {
   std::vector<std::string> faults_;
 };
 
-/// The budgets of the program have fixed numbers; others are as they say.
+/// Whether a budget with the name of one of the program's has its numbers. Other names may have any.
 bool is_as_named(const Budget& b) {
   const auto named = std::ranges::find(budgets, b.name, &Budget::name);
   return named == budgets.end() || *named == b;
@@ -43,7 +43,7 @@ bool is_own(const Json& stream) { return stream.value("family", "") == own_cases
 
 std::string name_of_stream(const Json& r) { return r.value("family", "") + " " + r.value("fmt", ""); }
 
-/// Those owed come first, in order; then the user's own meshes and cases.
+/// The streams owed must come first, in order; those of the user's own meshes and cases may follow.
 void require_streams(Debts& debts, const LogRecords& log, const Owed& owed) {
   std::vector<Json> logged;
   for (const Json& r : log.records) {

@@ -9,7 +9,7 @@
 namespace tribunal {
 
 /// One line for each thing that is missing, changed or not due: sets, streams, numbers of cases, calibration, budget.
-/// Of what `judge` writes nothing is due.
+/// A log that `judge` wrote owes nothing.
 std::vector<std::string> debts_of(const Certificate& c, const LogRecords& log, const std::string& path);
 
 }  // namespace tribunal

@@ -24,7 +24,7 @@ std::vector<Cells> rings_of(int fewest, int most, Start start) {
   return rings;
 }
 
-/// All cases of one polygon, by segments.
+/// Asks all cases of one polygon that have segments.
 void ask_segments(const Method& method, const std::vector<Cells>& rings, std::uint64_t number, Scope& scope,
                   Part& part) {
   const PolygonData& polygon = scope.place(rings);
@@ -34,8 +34,8 @@ void ask_segments(const Method& method, const std::vector<Cells>& rings, std::ui
   });
 }
 
-/// The piercing segments of one polygon as rays from their source through their target, so with the same contact; the
-/// directions, small integers, take turns at three lengths.
+/// Asks the piercing segments of one polygon as rays from their source through their target, so with the same contact;
+/// the directions, small integers, take turns at three lengths.
 void ask_rays(const Method& method, const std::vector<Cells>& rings, std::uint64_t number, Scope& scope, Part& part) {
   constexpr double lengths[] = {1, 0x1p-100, 0x1p100};
   const PolygonData& polygon = scope.place(rings);
@@ -87,7 +87,7 @@ constexpr auto alone = [](const Cells& ring, const auto& ask) { ask({ring}); };
 constexpr int centred_refinement = 3;
 constexpr std::uint64_t triangular_holes = 84;
 
-/// Cases of a polygon: points around the grid, and segments of it.
+/// The number of cases of a polygon: points in and around the grid, and segments of the grid.
 std::uint64_t cases_of_polygon(int refinement) {
   const auto side = static_cast<std::uint64_t>(small_scope_detail::Grid{refinement}.side());
   return side * side + small_scope_detail::plane_segments;

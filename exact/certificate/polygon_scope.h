@@ -14,10 +14,10 @@
 
 namespace tribunal {
 
-/// A subject's answers held against those of two oracles, which are held against each other.
+/// The answers of the function under test, compared with those of two oracles, which are compared with each other.
 struct PolygonScope {
   std::uint64_t polygons = 0, queries = 0, hits = 0;
-  std::uint64_t different = 0;       ///< answers of the subject that are not the oracles'
+  std::uint64_t different = 0;       ///< answers that differ from those of the oracles
   std::uint64_t contradictions = 0;  ///< points on which the two oracles differ
 };
 
@@ -40,7 +40,7 @@ inline constexpr int grid_points = 9, centre = 4, plane_segments = 45;
 /// An integer map of the plane and its normal that leaves no coordinate plane parallel to the grid's.
 inline Point3 placed(int u, int v, int w) { return {u + w, v - u + 2 * w, u + v + w}; }
 
-/// The grid and the points around it, in integers: half a grid step is `refinement`.
+/// The grid and the points around it, in integers: half a grid step is `refinement` units.
 struct Grid {
   int refinement;
 
@@ -53,7 +53,8 @@ inline Point3 in_space(const Vec2<std::int64_t>& x, int w = 0) {
   return placed(static_cast<int>(x.u), static_cast<int>(x.v), w);
 }
 
-/// Every segment between grid points, points included, and the grid edges that each meets.
+/// Every segment between grid points, those that are points included, and which segments between grid points each
+/// meets.
 class PlaneSegments {
  public:
   explicit PlaneSegments(const Grid& grid) : grid_(grid) {
@@ -82,14 +83,14 @@ class PlaneSegments {
   bool meets_[grid_points][grid_points][plane_segments]{};
 };
 
-/// The probe that has x in the polygon's plane: through it, from it, up to it, in turn.
+/// The segment that meets the polygon's plane in x: through it, from it or up to it, by the turn.
 inline Segment piercing(const Vec2<std::int64_t>& x, int turn) {
   const Vec2<std::int64_t> above{x.u + 1, x.v - 2}, below{x.u - 2, x.v + 4};
   const Point3 at = in_space(x), p = in_space(above, 1), q = in_space(below, -2);
   return turn % 3 == 0 ? Segment{p, q} : turn % 3 == 1 ? Segment{at, q} : Segment{p, at};
 }
 
-/// Every ring of n grid points that starts so.
+/// Calls `visit` with every ring of n grid points that has this start.
 template <class Visit>
 void for_each_ring(int n, Start start, const Visit& visit) {
   Cells ring(static_cast<std::size_t>(n));
@@ -112,7 +113,7 @@ class Scope {
  public:
   explicit Scope(int refinement) : grid_{refinement}, segments_(grid_) {}
 
-  /// One polygon, asked in full. `subject(polygon)` gives the function that answers segments.
+  /// Asks all cases of one polygon. `subject(polygon)` returns the function that answers segments.
   template <class Subject>
   void ask(const std::vector<Cells>& rings, const Subject& subject) {
     const auto answer = subject(place(rings));
@@ -123,7 +124,7 @@ class Scope {
     });
   }
 
-  /// The polygon of these rings, until the next is placed.
+  /// The polygon of these rings, valid until the next call.
   const PolygonData& place(const std::vector<Cells>& rings) {
     polygon_.vertices.clear();
     polygon_.ends.clear();
@@ -134,8 +135,8 @@ class Scope {
     return polygon_;
   }
 
-  /// Every case of the polygon: calls `visit(segment, exact contact, whether a ring edge is met)`. `number` says how
-  /// piercing segments take turns.
+  /// Every case of the polygon: calls `visit(segment, exact contact, whether a ring edge is met)`. `number` is
+  /// that of the polygon, which says whose turn it is: segments through, from or up to a point.
   template <class Visit>
   void visit_cases(const std::vector<Cells>& rings, std::uint64_t number, const Visit& visit) {
     const bool flat = is_flat(rings);
@@ -181,7 +182,7 @@ class Scope {
     return std::any_of(seen_.begin(), seen_.end(), at_end) ? Contact::vertex : Contact::edge;
   }
 
-  /// Looks at the rings from x; true if x lies on an edge.
+  /// Puts the ring edges as seen from x into `seen_`; true if x lies on an edge.
   bool see(const std::vector<Cells>& rings, const Vec2<std::int64_t>& x) {
     seen_.clear();
     const auto seen = [&](int cell) {
@@ -223,7 +224,7 @@ class Scope {
 
 }  // namespace small_scope_detail
 
-/// All rings of 3 vertices and more.
+/// Asks about all rings of 3 to `rings.most_vertices` vertices.
 template <class Subject>
 PolygonScope exhaust_rings(const Subject& subject, const RingScope& rings = {}) {
   small_scope_detail::Scope scope(rings.refinement);
@@ -245,7 +246,7 @@ void for_each_hole(const Visit& visit) {
   }
 }
 
-/// All rings of four vertices, each with every triangle as a hole; or the first few.
+/// Asks about all rings of four vertices, each with every triangle as a hole; or about the first `most` of these.
 template <class Subject>
 PolygonScope exhaust_holes(const Subject& subject, std::uint64_t most = UINT64_MAX) {
   small_scope_detail::Scope scope(1);

@@ -1,4 +1,4 @@
-// How a certificate is written: for programs, for people, for the terminal.
+// Writes a certificate: as JSON for programs, as Markdown for people, as a summary for the terminal.
 #include <algorithm>
 #include <cstdio>
 #include <functional>
@@ -101,7 +101,7 @@ Json coverage_json(const Certificate& c, Format format, const SlotGroup& group, 
   return row;
 }
 
-/// Of the 163 classes of segments, or of those of rays.
+/// The classes of the group: the 163 of segments, or those of rays.
 Json classes_json(const Certificate& c, const SlotGroup& group) {
   Json rows = Json::object();
   for (const Format format : {Format::binary64, Format::binary32}) {
@@ -140,7 +140,7 @@ std::string proved_table(const Certificate& c) {
   return text;
 }
 
-/// "17 bits of the map's entries"; nothing for a stream without a stress axis.
+/// For example "17 bits of the map's entries"; empty for a stream without a stress axis.
 std::string stress_of(const Certificate& c, const SampleRow& row) {
   for (const SampledStream& s : c.streams) {
     if (s.family != row.family || s.format != row.format) continue;
@@ -293,7 +293,7 @@ std::string own_section(const Certificate& c) {
   return text + "\nWhere it was wrong:\n\n" + worst_classes(c, true) + "\n";
 }
 
-/// How many counterexamples name each fault.
+/// The number of counterexamples with each fault.
 std::map<std::string, std::size_t> faults_in(const Certificate& c) {
   std::map<std::string, std::size_t> faults;
   for (const Json& line : c.counterexamples) {

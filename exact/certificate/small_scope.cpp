@@ -40,7 +40,7 @@ std::array<Triangle, 6> orders_of(const Triangle& t) {
   return {{{t.a, t.b, t.c}, {t.a, t.c, t.b}, {t.b, t.a, t.c}, {t.b, t.c, t.a}, {t.c, t.a, t.b}, {t.c, t.b, t.a}}};
 }
 
-/// Points in lexicographic order, and what is shared by all tuples of them.
+/// Points in lexicographic order.
 using Points = std::vector<Point3>;
 
 /// {least..most}³
@@ -87,13 +87,13 @@ Truth lattice_truth(const P& probe, const Triangle& t) {
   return truth;
 }
 
-/// What an unordered run adds: how many unordered tuples each class has.
+/// The part of a run over unordered tuples, and how many of these each class has.
 struct LatticePart {
   Part part{};
   ClassCounts tuples{};
 };
 
-/// All segments of the points against one triangle, in all orders.
+/// Asks all segments between the points against one triangle, each in all orders.
 void run_triangle(const Method& method, const Points& points, const Triple& triple, LatticePart& out) {
   const std::vector<Triangle> orders = distinct_orders(points, triple);
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -108,7 +108,7 @@ void run_triangle(const Method& method, const Points& points, const Triple& trip
   }
 }
 
-/// The class table has counted the unordered tuples of these two lattices, by a program of its own.
+/// The class table has the numbers of unordered tuples of these two lattices, which another program has counted.
 void require_counts_of_table(const ClassCounts& tuples, int side) {
   if (side != 3 && side != 4) return;
   for (const ClassRow& row : class_table()) {
@@ -123,7 +123,7 @@ void require_counts_of_table(const ClassCounts& tuples, int side) {
 
 std::uint64_t fifth_power(std::uint64_t n) { return n * n * n * n * n; }
 
-/// What a full and a quick run of ray_lattice_run go through, for triangles of {0, 1, 2}³.
+/// The origins and directions of ray_lattice_run, full or not, for triangles of {0, 1, 2}³.
 struct RayLattice {
   Points origins, directions;
 };

@@ -27,7 +27,7 @@ bool is_counterexample(const Case& c) {
          c.finding.value("exact", Json()) == exact_evidence(c.query);
 }
 
-/// Judged by the oracles, not by the method: a counterexample stands on its own.
+/// Confirms a counterexample by the oracles alone; the method is not asked.
 void confirm(Verification& v, const Json& line) {
   const Case c = to_case(line, {"log.jsonl"});
   if (is_counterexample(c)) {
@@ -62,7 +62,7 @@ void ask_again(Verification& v) {
   }
 }
 
-/// What a rerun must give again, in the log's order.
+/// The records that a rerun must give again, in the log's order.
 std::vector<Json> answers_in(const LogRecords& log) {
   std::vector<Json> records;
   for (const Json& r : log.records) {

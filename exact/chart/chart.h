@@ -1,4 +1,4 @@
-// Speed and accuracy of methods on the same cases, one against the other.
+// Speed and accuracy of methods, measured on the same cases.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ namespace tribunal {
 struct ChartPlan {
   std::vector<Method> methods;
   std::uint64_t seed = 1;
-  std::uint64_t cases = 50'000;  ///< judged, of each population and format
+  std::uint64_t cases = 50'000;  ///< how many are judged of each population and format
   int repetitions = 31;
   unsigned threads = 1;  ///< for judging; time is taken on one thread
 };

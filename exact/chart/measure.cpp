@@ -66,7 +66,7 @@ std::vector<ChartRow> timed_rows(const ChartPlan& plan, const Panel& panel) {
   return rows;
 }
 
-/// Hits of a stream, in the closed reading. Every method of a stream saw the same cases: the first speaks for all.
+/// Counts the hits of a stream, in the closed reading. All methods of a stream see the same cases, so one is enough.
 void count_hits(Panel& panel, std::size_t stream, std::size_t method, const FuzzReport& report) {
   report.counts.for_each([&](const Cell& cell, const Count& count) {
     if (cell.stream != stream || cell.method != method) return;

@@ -1,4 +1,4 @@
-// Runs exact/chart/plot.py, which the program carries with it.
+// Runs exact/chart/plot.py, which is compiled into the program.
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
@@ -16,7 +16,7 @@
 namespace tribunal {
 namespace {
 
-/// A program's arguments and the file that takes what it prints.
+/// The plot script in a file, the arguments for it, and the file that takes what it prints.
 class Script {
  public:
   explicit Script(const std::string& directory)

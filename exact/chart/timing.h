@@ -26,7 +26,7 @@ struct Timing {
 std::vector<Timing> time_methods(std::span<const Method* const> methods, std::span<const SegmentCase> cases,
                                  std::size_t round, int repetitions);
 
-/// The spread of samples. There is at least one.
+/// The quartiles of the samples, of which there must be at least one.
 Timing summarise(std::vector<double> nanoseconds);
 
 }  // namespace tribunal

@@ -12,7 +12,7 @@ namespace tribunal {
 /// Signs of the five points a, b, c, p, q in the dimension that they span, read in lexicographic order of subsets:
 /// rank 4: five tetrahedra; rank 3: ten triangles in a one-to-one projection; rank 2: ten pairs on the line;
 /// rank 1: nothing. Affine maps preserve it up to a global sign, and two configurations with the same chirotope
-/// have the same intersection: which points of which lie where is a function of it.
+/// have the same intersection: which part of the probe meets which part of the triangle is a function of it.
 ///
 /// Of a ray the fifth element is the direction d, a point at infinity: the five are the vectors (a,1), (b,1), (c,1),
 /// (o,1), (d,0), and the signs are those of their determinants. The ray meets the triangle, or a face of it, iff there
@@ -68,7 +68,7 @@ struct FiveElements {
   const X* last;
   const Point3* points[4];
 
-  /// ask(element) with the subset's last element, whatever it is.
+  /// Calls ask(x) with element i, which is a point or, for i = 4, the probe's target.
   template <class Ask>
   Sign with(int i, const Ask& ask) const {
     return i == 4 ? ask(*last) : ask(*points[i]);
@@ -97,7 +97,7 @@ ChirotopeCode pairs(const FiveElements<X>& v, const K& k) {
   });
 }
 
-/// Cost: 5 signs where the elements span space, up to 45 where they do not.
+/// The chirotope of the five elements. Cost: 5 signs where they span space, up to 45 where they do not.
 template <Kernel K, class P>
 Chirotope chirotope(const P& probe, const Triangle& t, const K& k) {
   const auto& last = target(probe);

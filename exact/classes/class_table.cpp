@@ -20,7 +20,7 @@ std::array<int, 3> parse_point(const std::string& text) {
   return p;
 }
 
-/// `before`: the id of "C001" or "R001" less one.
+/// `before` is the id of "C001" or "R001" minus one.
 ClassRow parse_row(const std::string& line, int before) {
   std::istringstream fields(line);
   std::vector<std::string> f;

@@ -63,7 +63,7 @@ ClassId class_named(std::string_view name);
 /// report.
 ClassId class_of(const Chirotope& chirotope);
 
-/// The same of rays.
+/// The class of rays with this chirotope, or 0.
 ClassId ray_class_of(const Chirotope& chirotope);
 
 template <Kernel K>

@@ -1,4 +1,4 @@
-// The Segura–Feito test with the class of what it was asked.
+// The Segura–Feito test that also says the class of its operands.
 #pragma once
 
 #include "core/segura_feito.h"

@@ -62,7 +62,7 @@ class Arguments {
   std::shared_ptr<Parser> parser_;
 };
 
-/// What a program says of itself: its name, and what stands above, below and beside its list of commands.
+/// What the help and the version of a program say: its name, and what stands above and below its list of commands.
 struct About {
   std::string name, summary, footer, version;
 };

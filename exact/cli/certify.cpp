@@ -63,7 +63,7 @@ int run(const Options& o, const CertifyPlan& plan) {
   return exit_of(c.verdict);
 }
 
-/// Whether it answers, or fails, where any triangle test answers: on a plain hit, by segment and by ray.
+/// Whether the method tests triangles: asked about a plain hit, by a segment and by a ray, it answers or has a fault.
 bool takes_triangles(const Method& method) {
   const Triangle t{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
   const Answer to_segment = method.ask(Query{Segment{{1, 1, 1}, {1, 1, -1}}, t});

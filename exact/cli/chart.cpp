@@ -14,7 +14,7 @@
 namespace tribunal {
 namespace {
 
-/// Figures of the whole shelf of rivals cannot be read: of methods with an exact twin some stand for all.
+/// Figures with all rivals cannot be read: of the methods with an exact twin only those with the role are drawn.
 bool is_charted(const Method& m) {
   const std::vector<Role> roles = roles_of(m);
   return !has(m, Capability::exact_twin) || std::ranges::find(roles, Role::charted) != roles.end();

@@ -13,13 +13,13 @@ struct Options {
   std::string methods, in = "-", out = "-";
 };
 
-/// With the class where the method can tell it.
+/// The method's answer, with the class where it can say it.
 Answer answer_to(const Method& method, const Query& query) {
   const bool classifies = method.classify && query.operands() == Operands::triangles;
   return classifies ? method.classify(query.probe, query.triangle()) : method.ask(query);
 }
 
-/// `unsupported` where the method owes nothing, which may take the exact answer to tell.
+/// The method's answer, or `unsupported` where it owes none; whether it does may depend on the exact answer.
 Answer owed_answer(const Method& method, const Query& query) {
   const Answer answer = answer_to(method, query);
   if (owes_all(method.contract, query.operands()) || answer.status != Status::ok) return answer;

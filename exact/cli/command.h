@@ -43,15 +43,15 @@ unsigned default_threads();
 /// --threads, defaulting to default_threads().
 void add_threads_option(Arguments& arguments, unsigned& threads);
 
-/// Whether a command offers --isolate: not if it measures time, or asks too often for questions to go to other
-/// processes.
+/// Whether a command offers --isolate: not if it measures time, or asks so many queries that it would be too slow to
+/// send them to other processes.
 enum class MayIsolate { no, yes };
 
-/// Declares --plugin, repeatable, with --isolate and --time-limit, and returns the action with loading the plugins
-/// before it.
+/// Declares --plugin, repeatable, with --isolate and --time-limit, and returns an action that loads the plugins
+/// first.
 Action with_plugins(Arguments& arguments, Action action, MayIsolate may_isolate = MayIsolate::yes);
 
-/// 128 + signal if one asked for an end, as shells expect.
+/// 128 + signal if a signal asked for an end, as shells expect; else the exit code of work that was done.
 int exit_code_after(int code_if_done, int signal);
 
 Action declare_methods(Arguments& arguments);

@@ -1,4 +1,4 @@
-// tribunal judge: answers computed anywhere, held against the exact ones.
+// tribunal judge: answers computed anywhere, compared with the exact ones.
 #include <algorithm>
 #include <cctype>
 #include <memory>
@@ -33,7 +33,7 @@ ChainedLog log_of(const Exam& exam, const AnswerSheet& sheet, Convention convent
   return log;
 }
 
-/// A name as a directory's: letters, digits, '-', '_'.
+/// The name of a directory for a method of this name: letters, digits, '-', '_'.
 std::string directory_name(std::string name) {
   for (char& c : name) {
     if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-') c = '_';
@@ -41,7 +41,7 @@ std::string directory_name(std::string name) {
   return name;
 }
 
-/// One sheet: in the directory itself; several: each in a numbered directory of its name.
+/// Writes one certificate into the directory itself, or several each into a numbered directory of its name.
 std::string write_report(const std::string& out, std::vector<ChainedLog>& logs, const std::vector<Certificate>& all) {
   std::string text;
   for (std::size_t i = 0; i < logs.size(); ++i) {

@@ -1,4 +1,4 @@
-// What several commands share.
+// Options that several commands share.
 #include <algorithm>
 #include <memory>
 #include <sstream>

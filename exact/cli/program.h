@@ -13,8 +13,8 @@ namespace tribunal {
 /// program's name. Whatever goes wrong is thrown.
 int run_command(std::span<const Command> commands, const std::vector<std::string>& words);
 
-/// The same for the command line of the program, but nothing is thrown: whatever goes wrong is one line on standard
-/// error, `file:line: …` for bad input, `tribunal: …` for the rest, and an exit code.
+/// The same for the command line of the program, but nothing is thrown: whatever goes wrong becomes an exit code and
+/// one line on standard error, `file:line: …` for bad input, `tribunal: …` for the rest.
 int run_program(std::span<const Command> commands, int argc, char** argv);
 
 }  // namespace tribunal

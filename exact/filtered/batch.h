@@ -48,15 +48,15 @@ struct RayColumns {
 // length. hit has the length of the triangles, else std::invalid_argument is thrown. The tally says how many each
 // stage decided. Nothing is allocated. For all pairs of m probes and n triangles, ask m times one against n.
 
-/// One against many. About 2 ns a triangle with AVX-512, where random.
+/// One probe against many triangles. About 2 ns a triangle with AVX-512, on random operands.
 Tally hits(const Segment& s, const TriangleColumns& t, std::span<std::uint8_t> hit);
 Tally hits(const Ray& r, const TriangleColumns& t, std::span<std::uint8_t> hit);
 
-/// Each with its own: probe i against triangle i.
+/// Probe i against triangle i, for all i.
 Tally hits(const SegmentColumns& s, const TriangleColumns& t, std::span<std::uint8_t> hit);
 Tally hits(const RayColumns& r, const TriangleColumns& t, std::span<std::uint8_t> hit);
 
-/// Pairs as they come, one answer each: as `intersect` gives them. Costs a transposition more.
+/// One answer for each pair, as `intersect` gives it. Costs a transposition into columns more.
 void intersect(std::span<const TrianglePair> pairs, std::span<Answer> answers);
 
 /// The instruction sets that this machine can run the batch on, best first: "AVX-512", "AVX2", "portable".

@@ -5,9 +5,9 @@
 
 namespace tribunal {
 
-/// Of a ray and a triangle. `direction` is +1 where the ray comes from the side from which a, b, c appear clockwise
-/// (the inside, of a mesh whose faces are counterclockwise from outside), −1 where it comes from the other, 0 where it
-/// does not cross.
+/// How a ray crosses a triangle. `direction` is +1 where the ray comes from the side from which a, b, c appear
+/// clockwise (the inside, of a mesh whose faces are counterclockwise from outside), −1 where it comes from the other, 0
+/// where it does not cross.
 struct Crossing {
   bool holds_source;  ///< the ray starts on the closed triangle
   int direction;

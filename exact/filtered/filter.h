@@ -16,7 +16,7 @@ std::optional<Sign> sign_beyond(const N& x, const N& bound) {
   return std::nullopt;
 }
 
-/// det(u, v, w) of three arms, each coordinate rounded at most once.
+/// The sign of det(u, v, w) of three arms, each coordinate rounded at most once.
 template <class N>
 std::optional<Sign> filter_volume(const Vec3<N>& u, const Vec3<N>& v, const Vec3<N>& w, const FilterConstants<N>& c) {
   const Vec3<N> m = largest(u, v, w);

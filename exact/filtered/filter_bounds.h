@@ -22,11 +22,11 @@ inline constexpr double rounding = 0x1p-52;  ///< of one operation, relative to 
 /// One determinant of rounded differences. Proved: 46 units.
 inline constexpr FilterConstants<double> volume_filter{47 * rounding, 0x1p-700, 0x1p150};
 
-/// What the test of a pair (shared_volumes.h) may conclude from its five volumes.
+/// The constants by which the test of a pair (shared_volumes.h) decides from its five volumes.
 ///
-/// A segment's `direction` is not asked for. A ray's is, since a ray reaches plane and triangle at t = 1/|d| times
-/// their distance, and multiplies by it what underflow did to normal·d: below `direction` on all axes the filter
-/// abstains, above it `tiny` covers that too.
+/// `direction` is used for rays only. A ray reaches the plane at t = distance / |d|, and the underflow error of
+/// normal·d is multiplied by t. Where d is below `direction` on all axes the filter abstains; otherwise `tiny` covers
+/// this error too.
 template <class N>
 struct PairConstants : FilterConstants<N> {
   N direction;
@@ -44,8 +44,8 @@ inline constexpr FilterConstants<double> area_filter{9 * rounding, 0x1p-850, 0x1
 /// n₁·d₂ − n₂·d₁ of hit parameters: the bound is K·(X·Y·Z)² + tiny. Proved: 1248 units.
 inline constexpr FilterConstants<double> order_filter{1250 * rounding, 0x1p-500, 0x1p100};
 
-/// Of the bounds by terms (term_filter.h): K·T + tiny, where T is the sum of the terms' magnitudes. Proved: 8 and 18
-/// units (terms.g), and what underflow takes (terms_range.g).
+/// The bounds by terms (term_filter.h) are K·T + tiny, where T is the sum of the terms' magnitudes. Proved: 8 and 18
+/// units (terms.g), and the loss by underflow (terms_range.g).
 inline constexpr FilterConstants<double> volume_terms_filter{9 * rounding, 0x1p-700, 0x1p150};
 inline constexpr FilterConstants<double> order_terms_filter{21 * rounding, 0x1p-500, 0x1p100};
 

@@ -18,7 +18,7 @@ namespace tribunal {
 // (2) The answer is that of sf-rational: exact, always.
 // (3) Neither the rounding mode nor flush-to-zero of the calling thread changes an answer.
 // (4) All functions are pure and safe to call from any number of threads at once.
-// (5) A NaN or an infinity is nowhere: `hits` is false, answers have Status::nonfinite.
+// (5) An operand with a NaN or an infinity meets nothing: `hits` is false, answers have Status::nonfinite.
 
 /// Whether the probe certainly meets or certainly misses the triangle; nothing where rounding could matter. Without
 /// branches, so that its time does not depend on the answer.
@@ -33,7 +33,7 @@ template <class N, class P>
 bool hits_exactly(const Segment& s, const Triangle& t);
 bool hits_exactly(const Ray& r, const Triangle& t);
 
-/// The same answer where the filter is not certain: a second one (term_filter.h), then integers.
+/// The same answer for operands on which filter_hits is not certain: by a second filter (term_filter.h), then exactly.
 bool hits_past_filter(const Segment& s, const Triangle& t);
 bool hits_past_filter(const Ray& r, const Triangle& t);
 
@@ -54,7 +54,8 @@ Answer intersect(const Segment& s, const Triangle& t);
 Answer intersect(const Ray& r, const Triangle& t);
 Answer intersect(const TrianglePair& pair);
 
-/// What `intersect` says where the filter is certain: all volumes are nonzero, so the contact is in general position.
+/// The answer of `intersect` where the filter is certain: all volumes are nonzero, so the contact is in general
+/// position.
 constexpr Answer certain(bool hit) {
   Answer answer = hit ? hit_at(Contact::interior, At::between) : miss();
   answer.stage = Stage::filter;

@@ -65,7 +65,8 @@ Staged<Sign> staged_orient2d(Axis dropped, const Point3& a, const Point3& b, con
                         [=](const auto& o, const auto& k) { return k.orient2d(dropped, o.a, o.b, o.x); });
 }
 
-/// Finite doubles in order, as integers: comparing them asks nothing of the floating-point environment.
+/// An integer for each finite double, in the same order: comparing these does not depend on the floating-point
+/// environment.
 std::int64_t rank(double x) {
   const auto pattern = std::bit_cast<std::int64_t>(x);
   return pattern >= 0 ? pattern : INT64_MIN - pattern;
@@ -75,42 +76,42 @@ std::int64_t rank(double x) {
 
 Sign FilteredKernel::orient3d(const Point3& a, const Point3& b, const Point3& c, const Point3& x) const {
   const auto [sign, stage] = staged_orient3d(a, b, c, x);
-  return told(sign, stage);
+  return counted(sign, stage);
 }
 
 Sign FilteredKernel::orient3d(const Point3& a, const Point3& b, const Point3& c, const Direction& x) const {
   const auto [sign, stage] = staged_orient3d(a, b, c, x);
-  return told(sign, stage);
+  return counted(sign, stage);
 }
 
 Sign FilteredKernel::orient2d(Axis dropped, const Point3& a, const Point3& b, const Point3& x) const {
   const auto [sign, stage] = staged_orient2d(dropped, a, b, x);
-  return told(sign, stage);
+  return counted(sign, stage);
 }
 
 Sign FilteredKernel::orient2d(Axis dropped, const Point3& a, const Point3& b, const Direction& x) const {
   const auto [sign, stage] = staged_orient2d(dropped, a, b, x);
-  return told(sign, stage);
+  return counted(sign, stage);
 }
 
 Sign FilteredKernel::compare(Axis axis, const Point3& a, const Point3& x) const {
   const int i = static_cast<int>(axis);
   const std::int64_t from = rank(a[i]), to = rank(x[i]);
-  return told(to > from ? Sign::positive : to < from ? Sign::negative : Sign::zero, Stage::filter);
+  return counted(to > from ? Sign::positive : to < from ? Sign::negative : Sign::zero, Stage::filter);
 }
 
 Sign FilteredKernel::compare(Axis axis, const Point3&, const Direction& x) const {
-  return told(sign_of(rank(x.v[static_cast<int>(axis)])), Stage::filter);
+  return counted(sign_of(rank(x.v[static_cast<int>(axis)])), Stage::filter);
 }
 
 Sign FilteredKernel::compare_hits(const Ray& r, const Triangle& s, const Triangle& t) const {
-  if (const auto sign = filter_compare_hits(r, s, t, order_filter, volume_filter)) return told(*sign, Stage::filter);
+  if (const auto sign = filter_compare_hits(r, s, t, order_filter, volume_filter)) return counted(*sign, Stage::filter);
   if (const auto sign = filter_compare_hits_by_terms(r, s, t, order_terms_filter, volume_terms_filter)) {
-    return told(*sign, Stage::filter);
+    return counted(*sign, Stage::filter);
   }
   const auto [sign, stage] =
       decide_exactly<2>(Hits{r, s, t}, [](const auto& o, const auto& k) { return k.compare_hits(o.ray, o.s, o.t); });
-  return told(sign, stage);
+  return counted(sign, stage);
 }
 
 Sign orient3d_exactly(const Triangle& t, const Point3& x) { return exact_orient3d(t.a, t.b, t.c, x).result; }

@@ -1,4 +1,4 @@
-// The filtered kernel: each sign by the filter where that is certain, else exactly.
+// The filtered kernel: it takes each sign from the filter where that is certain, else it computes it exactly.
 #pragma once
 
 #include "core/kernel.h"
@@ -7,11 +7,11 @@
 namespace tribunal {
 
 /// Exact for all finite binary64 coordinates, whatever the rounding mode of the thread. Each sign comes from the first
-/// stage that can tell:
+/// stage that is certain:
 ///   filter     the formula in double, if its value exceeds a proved bound;
-///   integers   the formula over integers of three or six machine words, on the operands moved to an integer grid;
+///   integers   the formula over integers of fixed width, on the operands moved to an integer grid;
 ///   exact      the formula over GMP integers.
-/// A tally, if given, counts them. Thread safety: use one tally a thread; else nothing is shared.
+/// A tally, if given, counts which stage decided. Thread safety: use one tally a thread; nothing else is shared.
 class FilteredKernel {
  public:
   explicit FilteredKernel(Tally* tally = nullptr) : tally_(tally) {}
@@ -25,7 +25,7 @@ class FilteredKernel {
   Sign compare_hits(const Ray& r, const Triangle& s, const Triangle& t) const;
 
  private:
-  Sign told(Sign s, Stage stage) const {
+  Sign counted(Sign s, Stage stage) const {
     if (tally_ != nullptr) ++(*tally_)[stage];
     return s;
   }
@@ -35,7 +35,7 @@ class FilteredKernel {
 
 static_assert(Kernel<FilteredKernel>);
 
-/// orient3d for callers whose own filter could not tell: without any, exactly.
+/// orient3d without a filter, for callers that have tried one of their own.
 Sign orient3d_exactly(const Triangle& t, const Point3& x);
 Sign orient3d_exactly(const Triangle& t, const Direction& x);
 

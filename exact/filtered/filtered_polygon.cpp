@@ -29,7 +29,7 @@ Vec3<double> scaled(const Vec3<double>& v, int exponent) {
   return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
 }
 
-/// Arms within this range neither overflow nor underflow to any harm when multiplied: docs/error-bounds.md.
+/// Products of arms within this range do not overflow, and their underflow is harmless: docs/error-bounds.md.
 constexpr double largest_arm = 0x1p150, smallest_face = 0x1p-200;
 
 }  // namespace
@@ -146,7 +146,8 @@ Answer FilteredPolygon::meet(const Segment& s) const { return decide(s); }
 
 Answer FilteredPolygon::meet(const Ray& r) const { return decide(r); }
 
-/// Figure 1 without its kinds of contact, where the probe crosses the plane of a planar polygon.
+/// Hit or miss by the signed sum of crossings, without the kind of contact, where the probe is not in the plane of a
+/// planar polygon; else by the whole test.
 template <class P>
 bool FilteredPolygon::decide_hit(const P& probe) const {
   if (!covering_.plane || covering_.is_triangle() || !is_finite(probe)) return decide_exactly(probe).hit;

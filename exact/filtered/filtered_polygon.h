@@ -1,4 +1,5 @@
-// The certified polygon test: doubles decide where they are certain, whole polygons at once; else sign by sign.
+// The certified polygon test: a filter in doubles decides about the whole polygon at once; where it fails, the covering
+// test decides sign by sign.
 #pragma once
 
 #include <bit>
@@ -16,7 +17,7 @@ namespace tribunal {
 /// A polygon prepared for many probes. Views the polygon, which must outlive it and be finite.
 ///
 /// Law: the answer is that of the covering test on exact numbers, always, whatever the rounding mode of the thread.
-/// Stage::filter: doubles told. A NaN or an infinity in the probe is nowhere.
+/// Answers of Stage::filter come from doubles. A probe with a NaN or an infinity meets nothing.
 class FilteredPolygon {
  public:
   explicit FilteredPolygon(const Polygon& polygon);
@@ -26,7 +27,7 @@ class FilteredPolygon {
   Answer meet(const Segment& s) const;
   Answer meet(const Ray& r) const;
 
-  /// Whether they meet, and no more. Some 10 ns where doubles tell.
+  /// Whether probe and polygon meet. Some 10 ns where doubles decide.
   template <class P>
   bool hits(const P& probe) const {
     return filtered<bool>(probe, [&] { return hits_exactly(probe); });
@@ -39,18 +40,18 @@ class FilteredPolygon {
     return filtered<std::optional<bool>>(probe, [] { return std::nullopt; });
   }
 
-  /// Whether the polygon certainly covers, or certainly does not, every point of its plane that lies between the two
-  /// ends in the projection: for short segments that cross the plane at too flat an angle, or too close to it, for
-  /// doubles to say where. Then all points between see the rings as both ends do. The segment must be finite; of one
-  /// that does not cross the plane this says nothing.
+  /// Whether the polygon certainly covers, or certainly does not cover, every point of its plane that lies between the
+  /// two ends in the projection. For short segments that cross the plane at so flat an angle, or so close to an end,
+  /// that doubles cannot say where. It is certain where both ends see all edges alike, so that all points between them
+  /// do too. The segment must be finite; whether it crosses the plane is not asked.
   std::optional<bool> filter_between(const Segment& s) const;
 
   /// For the same filter on vector lanes (batch/polygon_lanes.h). Views this polygon, which may be moved.
   detail::PolygonFigures figures() const;
 
  private:
-  /// Of the vertices of a run, seen from a point, a bit each: which lie below it, and which begin an edge that is
-  /// crossed ahead of it.
+  /// The vertices of a run as seen from a point, one bit each: `below`, which lie below the point; `ahead`, which begin
+  /// an edge that is crossed ahead of the point.
   struct View {
     bool certain;
     std::uint64_t below, ahead;
@@ -62,8 +63,8 @@ class FilteredPolygon {
   void flatten(const Vec3<double>& base);
   bool hits_exactly(const Segment& s) const;
   bool hits_exactly(const Ray& r) const;
-  template <class Told, class P, class Otherwise>
-  Told filtered(const P& probe, const Otherwise& otherwise) const;
+  template <class Result, class P, class Otherwise>
+  Result filtered(const P& probe, const Otherwise& otherwise) const;
   template <class P>
   Answer decide(const P& probe) const;
   template <class P>
@@ -80,14 +81,15 @@ class FilteredPolygon {
   double extent_ = 0;                        ///< the largest coordinate of the projected vertices
   int u_ = 0, v_ = 1;                        ///< the axes on which the polygon is projected
   detail::RingRun first_run_{};              ///< the rings, closed, one after the other, as seen from the base
-  std::vector<detail::RingRun> other_runs_;  ///< what is beyond 64 vertices
-  std::vector<double> flat_;                 ///< what the runs point to
+  std::vector<detail::RingRun> other_runs_;  ///< the vertices beyond the first 64
+  std::vector<double> flat_;                 ///< the coordinates that the runs view
   Covering covering_;
 };
 
-/// The plane first: both ends certainly on one side miss. Then the point, if they are certainly on two.
-template <class Told, class P, class Otherwise>
-[[gnu::always_inline]] inline Told FilteredPolygon::filtered(const P& probe, const Otherwise& otherwise) const {
+/// First the plane: a probe with both ends certainly on one side misses. If they certainly lie on different sides, the
+/// point where the probe meets the plane decides, if its parity is certain. Else otherwise() does.
+template <class Result, class P, class Otherwise>
+[[gnu::always_inline]] inline Result FilteredPolygon::filtered(const P& probe, const Otherwise& otherwise) const {
   const Vec3<detail::Twin<double>> ends = detail::ends_from(base_, probe);
   const detail::Twin<double> reach = reach_of(ends), h = dot(normal_, ends);
   const detail::Twin<double> bound =
@@ -98,9 +100,9 @@ template <class Told, class P, class Otherwise>
   return otherwise();
 }
 
-/// The parity of the edges that are crossed from the point where the probe meets the plane along the first axis, if
-/// certain. Certain only in general position: no vertex at the height of the point, no edge through it. There the
-/// parity is that of the covering's sum (docs/polygons.md).
+/// The parity of the edges that a ray in the plane along the first axis crosses, from the point where the probe meets
+/// the plane, if certain. Certain only in general position: no vertex at the height of the point, no edge through it.
+/// There the parity is that of the covering's sum (docs/polygons.md).
 template <class P>
 [[gnu::noinline]] std::optional<bool> FilteredPolygon::certain_parity(detail::Twin<double> x, detail::Twin<double> y,
                                                                       detail::Twin<double> z,

@@ -20,7 +20,7 @@ long bits_of(const mpz_class& x) { return static_cast<long>(mpz_sizeinbase(x.get
 
 mpz_class shifted(const mpz_class& x, long by) { return x << static_cast<mp_bitcnt_t>(by); }
 
-/// num / (den·2^unit) as a whole number and a rest, over whichever divisor is whole: den·2^unit or den.
+/// num / (den·2^unit) as quotient and rest. The divisor is den·2^unit, or den where 2^unit is a fraction.
 struct Division {
   Division(const mpz_class& num, const mpz_class& den, long unit) : divisor(unit > 0 ? shifted(den, unit) : den) {
     const mpz_class dividend = unit < 0 ? shifted(num, -unit) : num;
@@ -44,8 +44,8 @@ double pattern(std::uint64_t count, long unit) {
   return std::bit_cast<double>((static_cast<std::uint64_t>(unit - least_unit) << (digits - 1)) + count);
 }
 
-/// Of a positive number. It lies in (2^(e−1), 2^(e+1)), so its last place is 2^(e−53), or 2^(e−52) where that leaves a
-/// quotient of 54 bits; but never less than the least.
+/// `rounded` of a positive number. It lies in (2^(e−1), 2^(e+1)), so its last place is 2^(e−53), or 2^(e−52) where that
+/// leaves a quotient of 54 bits; but never less than the least.
 double rounded_positive(const mpz_class& num, const mpz_class& den) {
   const long e = bits_of(num) - bits_of(den);
   long unit = std::max(e - digits, least_unit);

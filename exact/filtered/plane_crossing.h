@@ -1,6 +1,6 @@
 // Where a probe crosses a plane, and on which sides of it the polygon's vertices and edges lie, without a division: the
-// point is kept in homogeneous coordinates. With the bounds that make the signs certain; docs/error-bounds.md derives
-// them. The formulas are templates: doubles and the error-tracking type run the same lines.
+// point is kept in homogeneous coordinates. A sign is certain beyond the bounds below, which docs/error-bounds.md
+// derives. The formulas are templates: doubles and the error-tracking type run the same lines.
 #pragma once
 
 #include <type_traits>
@@ -25,7 +25,7 @@ inline constexpr CrossingBounds crossing_bounds{6 * rounding, 18 * rounding, 97 
 /// below 1/8 on any two axes. So heights cannot overflow.
 inline constexpr double normal_scale = 0.125;
 
-/// Source and target seen from a point of the plane; a ray's target is its direction. One lane each.
+/// Source and target minus a point of the plane, as the two numbers of a twin; a ray's target is its direction.
 template <class N>
 Vec3<Twin<N>> ends_from(const Vec3<Twin<N>>& base, const Segment& s) {
   return beside(lift<N>(s.p), lift<N>(s.q)) - base;
@@ -37,7 +37,7 @@ Vec3<Twin<N>> ends_from(const Vec3<Twin<N>>& base, const Ray& r) {
   return beside(lift<N>(r.o) - o, lift<N>(r.d.v));
 }
 
-/// The largest coordinate of each end.
+/// The largest coordinate of each end, in magnitude.
 template <class N>
 Twin<N> reach_of(const Vec3<Twin<N>>& ends) {
   return larger(larger(magnitude(ends.x), magnitude(ends.y)), magnitude(ends.z));
@@ -54,8 +54,8 @@ struct PlaneCrossing {
   N ahead_v(const N& f) const { return f * den - point.v; }
 };
 
-/// With heights s and t of source w and target z on either side: (s·z − t·w) / (s − t); on a ray z has no place, only a
-/// direction: (s·z − t·w) / (−t).
+/// The crossing of a segment from w to z with the heights s and t above the plane: (s·z − t·w) / (s − t). For a ray z
+/// is the direction, and t what the height gains along it: (s·z − t·w) / (−t).
 template <class P, class N>
 PlaneCrossing<N> plane_crossing(const Twin<N>& heights, const Vec2<Twin<N>>& ends) {
   const N s = first(heights), t = second(heights);
@@ -67,7 +67,7 @@ PlaneCrossing<N> plane_crossing(const Twin<N>& heights, const Vec2<Twin<N>>& end
   }
 }
 
-/// What `vertex` and `edge` are multiplied by: |w|·|z| + extent·(|w| + |z|), on a ray |w|·|z| + extent·|z|.
+/// The factor of the bounds `vertex` and `edge`: |w|·|z| + extent·(|w| + |z|), on a ray |w|·|z| + extent·|z|.
 template <class P, class N>
 N crossing_range(const Twin<N>& reach, const N& extent) {
   const N w = first(reach), z = second(reach);
@@ -79,7 +79,7 @@ N crossing_range(const Twin<N>& reach, const N& extent) {
   }
 }
 
-/// Twice the signed area of edge ab and the crossing, times den.
+/// Twice the signed area of the triangle of edge ab and the crossing, times den.
 template <class N>
 N edge_side(const PlaneCrossing<N>& x, const Vec2<N>& a, const Vec2<N>& b) {
   return (b.v - a.v) * x.ahead_u(a.u) - (b.u - a.u) * x.ahead_v(a.v);

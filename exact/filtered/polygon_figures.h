@@ -1,4 +1,4 @@
-// What the filter of a polygon computes with, as plain numbers: for scalar code and for vector lanes.
+// The numbers from which the filter of a polygon computes, for scalar code and for vector lanes.
 #pragma once
 
 #include <cstddef>
@@ -17,8 +17,8 @@ struct RingRun {
   std::uint64_t edges = 0;
 };
 
-/// A vertex, the plane's normal, scaled, or zero where the filter abstains; the axes of the projection, and the rings
-/// in it. `extent` is their largest coordinate.
+/// A vertex as the base; the plane's normal, scaled, or zero where the filter abstains; the axes of the projection, and
+/// the projected rings, of which `extent` is the largest coordinate in magnitude.
 struct PolygonFigures {
   Vec3<double> base, normal;
   double extent;

@@ -30,7 +30,7 @@ using namespace detail;
 
 namespace {
 
-/// A signed volume in twice the precision, and what it may be off by, relatively: 1 or more where nothing is known.
+/// A signed volume in twice the precision, and a bound of its relative error: 1 or more where nothing is known.
 struct CloseVolume {
   DoubleDouble value;
   double error;

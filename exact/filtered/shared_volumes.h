@@ -45,7 +45,7 @@ Arms<N> arms_of(const Ray& r, const Triangle& t) {
   return ray_arms<N>(lift<N>(r.o), lift<N>(r.d.v), {lift<N>(t.a), lift<N>(t.b), lift<N>(t.c)});
 }
 
-/// orient3d(a, b, c, source) and orient3d(a, b, c, target), and what a point gains on the plane along d.
+/// orient3d(a, b, c, source) and orient3d(a, b, c, target), and by how much d changes the first: normal·d.
 template <class N>
 struct Sides {
   N source, target, toward;
@@ -93,13 +93,13 @@ Vec3<N> largest(const Arms<N>& r) {
           over_lanes(larger_magnitude(r.uw.z, r.vd.z))};
 }
 
-/// What comparing two numbers gives: bool, or a mask of lanes.
+/// The type of a comparison of two numbers: bool, or a mask of lanes.
 template <class N>
 using Truth = decltype(std::declval<const N&>() < std::declval<const N&>());
 
-/// How far the volumes are from saying another thing: positive where they say hit, negative where they say miss.
+/// By how much the volumes decide: positive where they say hit, negative where they say miss.
 ///
-/// With the signs of all turned so that `toward` ≥ 0, a probe that crosses the triangle runs from below the plane to
+/// With all signs flipped if `toward` < 0, a probe that crosses the triangle runs from below the plane to
 /// above it and passes the edges ab, bc, ca on its left: so −source, target, ab, bc and −ac are all positive, and the
 /// margin is the least of them.
 /// bc comes last: a NaN in any coordinate makes it NaN, and `smaller` then returns its second operand.
@@ -138,10 +138,10 @@ struct Conclusion {
 /// A hit where margin > bound. Every volume is known up to ±bound, so all of them have the signs that they show; and
 /// the sign of the edges is that of their exact sum, whatever `toward` shows.
 ///
-/// A miss where margin < −3·bound. Turn all signs so that `toward` ≥ 0 as computed.
+/// A miss where margin < −3·bound. Flip all signs if `toward` < 0 as computed.
 ///   An edge is below −3·bound: another is above bound, since together they are `toward`; so the line certainly passes
 ///   one on its left and one on its right.
-///   Of a segment, source is above 3·bound, or target below −3·bound: both are `toward` apart, so both certainly lie
+///   Of a segment, source is above 3·bound, or target below −3·bound: their difference is `toward` ≥ 0, so both lie
 ///   off the plane on one side. Of a ray, source is above 3·bound. `toward` may show the wrong sign, as it is known up
 ///   to ±bound only. But if the ray met the triangle, at t, then t·d would lead from source into the triangle, and be
 ///   no longer than two arms on any axis; so t·toward is known up to ±bound too, and too small to take the source down

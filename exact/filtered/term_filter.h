@@ -40,14 +40,14 @@ std::optional<Sign> sign_of(const Expansion<N>& e, const FilterConstants<N>& c) 
   return sign_beyond<N>(e.value, N(c.k * e.terms) + c.tiny);
 }
 
-/// det(u, v, w) of three arms, each coordinate rounded at most once.
+/// The sign of det(u, v, w) of three arms, each coordinate rounded at most once.
 template <class N>
 std::optional<Sign> filter_terms(const Vec3<N>& u, const Vec3<N>& v, const Vec3<N>& w, const FilterConstants<N>& c) {
   if (!in_range(largest(u, v, w), c)) return std::nullopt;
   return sign_of(expanded(u, v, w), c);
 }
 
-/// orient3d(a, b, p, x).
+/// The sign of orient3d(a, b, p, x), if certain.
 template <class N, class X>
 std::optional<Sign> filter_orient3d_by_terms(const Point3& a, const Point3& b, const Point3& p, const X& x,
                                              const FilterConstants<N>& c) {
@@ -78,8 +78,7 @@ Expansion<N> expanded(const Minors<N>& m, const Vec3<N>& w) {
           N(m.terms.x * magnitude(w.x) + m.terms.y * magnitude(w.y) + m.terms.z * magnitude(w.z))};
 }
 
-/// The plane of a triangle, for many questions on which side something lies: orient3d(a, b, c, x), the minors taken
-/// once.
+/// The filter of orient3d(a, b, c, x) for one triangle and many x: the minors are computed once.
 class PlaneFilter {
  public:
   explicit PlaneFilter(const Triangle& t) : a_(lift<double>(t.a)) {
@@ -88,7 +87,7 @@ class PlaneFilter {
     in_range_ = in_range(largest(u, v), volume_terms_filter);
   }
 
-  /// Of a point or a direction; nothing where rounding could matter.
+  /// The sign for a point or a direction x; nothing where rounding could matter.
   template <class X>
   std::optional<Sign> side(const X& x) const {
     const Vec3<double> w = arm<double>(a_, x);
@@ -103,7 +102,7 @@ class PlaneFilter {
 };
 
 /// Whether the probe certainly meets or certainly misses the triangle, in general position; else nothing.
-/// Beside filter_hits it asks sign by sign and stops at the first two that decide: both ends on one side of the plane,
+/// Unlike filter_hits it asks sign by sign and stops at the first two that decide: both ends on one side of the plane,
 /// or two edges passed on different sides. An edge ab is passed on the side of det(a − p, b − a, d), which is
 /// orient3d(p, a, b, q), as adding one column to another changes nothing.
 template <class N, class P>
@@ -126,7 +125,7 @@ std::optional<bool> filter_hits_by_terms(const P& probe, const Triangle& t, cons
   return true;
 }
 
-/// The order of two hits along one ray, as filter_compare_hits has it. Of n₁·d₂ − n₂·d₁ each factor is off by at most 8
+/// The order of two hits along one ray, like filter_compare_hits. Each factor of n₁·d₂ − n₂·d₁ is off by at most 8
 /// units of its terms, so a product by 8 + 8 + 1 units of the product of terms, and the difference by one more: 18
 /// (terms.g), and 21 are taken.
 template <class N>

@@ -1,4 +1,4 @@
-// Two numbers side by side, computed with at once: by vector instructions where they are doubles.
+// Pairs of numbers that one operation computes at once: by vector instructions where they are doubles.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace tribunal::detail {
 
-/// Lane-wise +, −, ×. The results of a and b may be of another type (a product yet to be fused with a sum).
+/// Two numbers with +, −, × for each by itself. A result may be of another type (a product yet to be fused with a sum).
 template <class N>
 struct Twin {
   N first, second;
@@ -36,7 +36,7 @@ Twin<N> larger_magnitude(const Twin<N>& a, const Twin<N>& b) {
   return {larger_magnitude(a.first, b.first), larger_magnitude(a.second, b.second)};
 }
 
-/// Whether both |a| exceed their bounds. No: for NaN.
+/// Whether both |a| exceed their bounds. False for NaN.
 template <class N>
 bool both_beyond(const Twin<N>& a, const Twin<N>& bound) {
   return magnitude(a.first) > bound.first && magnitude(a.second) > bound.second;
@@ -48,7 +48,7 @@ unsigned negative_bits(const Twin<N>& a) {
   return (a.first < 0 ? 1U : 0U) | (a.second < 0 ? 2U : 0U);
 }
 
-/// Whether both are negative, or none. Without a branch for each.
+/// Whether both are negative, or neither is. It needs no branch for each.
 template <class N>
 bool same_sign(const Twin<N>& a) {
   return (0b1001U >> negative_bits(a) & 1U) != 0;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr long lowest = std::numeric_limits<long>::min();
 
-/// The sum of a/b and c/d, unless it overflows. The greatest negative word is left out: it has no magnitude.
+/// The sum of a/b and c/d, unless it overflows. The least word is left out: its negative is no word.
 bool add(long a, long b, long c, long d, long* num, long* den) {
   long ad = 0, cb = 0;
   if (b == d) {
@@ -41,7 +41,7 @@ ExtendedRational::ExtendedRational(double x) {
   }
 }
 
-/// In words if it fits.
+/// The number is kept in two words if it fits.
 ExtendedRational::ExtendedRational(mpq_class x) {
   if (x.get_num().fits_slong_p() && x.get_den().fits_slong_p() && x.get_num() != lowest) {
     num_ = x.get_num().get_si();

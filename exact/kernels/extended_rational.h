@@ -1,5 +1,5 @@
 // Rational numbers with infinities and NaN: IEEE arithmetic without rounding. Published tests divide by zero and rely
-// on what comes out; on this type they run exactly.
+// on the result; on this type they run exactly.
 #pragma once
 
 #include <gmpxx.h>

@@ -1,4 +1,4 @@
-// Binary mesh formats as numbers one after the other, with the place of each at hand for the error.
+// Reads binary mesh formats number by number, and knows the place of each for error messages.
 #pragma once
 
 #include <algorithm>

@@ -10,7 +10,7 @@ namespace {
 
 using IndexRing = std::vector<std::uint32_t>;
 
-/// Twice the area vector of a ring, in double: which axis to drop, and which way the ring runs.
+/// Twice the area vector of a ring, in double. It says which axis to drop, and which way the ring runs.
 Point3 area_vector(const IndexRing& ring, const std::vector<Point3>& points) {
   Point3 sum(0);
   const Point3& o = points[ring[0]];
@@ -26,7 +26,8 @@ Axis widest(const Point3& area) {
   return a.x >= a.y && a.x >= a.z ? Axis::x : a.y >= a.z ? Axis::y : Axis::z;
 }
 
-/// One closed walk of the outer ring and the holes, bridges walked there and back. The face lies to its left.
+/// The outer ring and the holes as one closed ring, in which each bridge between them is passed twice, there and back.
+/// The face lies to its left.
 class Walk {
  public:
   Walk(const Rings& face, const std::vector<Point3>& points)
@@ -39,7 +40,7 @@ class Walk {
     }
   }
 
-  /// No edge crosses another one inside both.
+  /// Whether no two edges cross at an inner point of both.
   bool is_simple() const {
     std::vector<std::array<std::uint32_t, 2>> edges;
     const auto add = [&](const IndexRing& ring) {
@@ -87,7 +88,8 @@ class Walk {
     return turn(a, b, x) != Sign::negative && turn(b, c, x) != Sign::negative && turn(c, a, x) != Sign::negative;
   }
 
-  /// A spike (the walk turns back on itself) is cut without a triangle; a flat corner waits until it is none.
+  /// Whether the corner i can be cut. A spike (the ring turns back on itself) is cut without a triangle; a flat corner
+  /// is not cut before it has become another.
   bool is_ear(std::size_t i) const {
     const std::uint32_t a = at(i - 1), b = at(i), c = at(i + 1);
     if (same(a, b) || same(b, c) || same(a, c)) return true;
@@ -104,7 +106,7 @@ class Walk {
     return ring_.size();
   }
 
-  /// x lies strictly between the edges of the corner a, b, c, on the side of the face.
+  /// Whether x lies strictly between the edges of the corner a, b, c, on the side of the face.
   bool in_corner(std::uint32_t x, std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
     const bool left_of_ab = turn(a, b, x) == Sign::positive, left_of_bc = turn(b, c, x) == Sign::positive;
     return turn(a, b, c) == Sign::positive ? left_of_ab && left_of_bc : left_of_ab || left_of_bc;
@@ -138,14 +140,14 @@ class Walk {
     });
   }
 
-  /// The hole touches the walk from inside, corner to corner: a bridge without length.
+  /// Whether corner j of the hole is at corner i of the ring, with the hole inside: a bridge without length.
   bool touches(std::size_t i, const IndexRing& hole, std::size_t j) const {
     const std::size_t n = hole.size();
     return same(at(i), hole[j]) && in_corner(hole[(j + 1) % n], at(i - 1), at(i), at(i + 1)) &&
            in_corner(hole[(j + n - 1) % n], at(i - 1), at(i), at(i + 1));
   }
 
-  /// Holes that touch go first: nothing can reach past where they do.
+  /// Joins one hole to the ring. Holes that touch it come first, since no bridge can pass where they touch.
   bool join_one() {
     return join([this](std::size_t i, const IndexRing& hole, std::size_t j) { return touches(i, hole, j); }) ||
            join([this](std::size_t i, const IndexRing& hole, std::size_t j) { return is_bridge(i, hole, j); });
@@ -165,7 +167,7 @@ class Walk {
     return false;
   }
 
-  /// …, rᵢ, hⱼ, hⱼ₊₁, …, hⱼ, rᵢ, …
+  /// Inserts the hole after rᵢ: …, rᵢ, hⱼ, hⱼ₊₁, …, hⱼ, rᵢ, …
   void splice(std::size_t i, std::size_t h, std::size_t j) {
     IndexRing detour(holes_[h].begin() + static_cast<std::ptrdiff_t>(j), holes_[h].end());
     detour.insert(detour.end(), holes_[h].begin(), holes_[h].begin() + static_cast<std::ptrdiff_t>(j) + 1);

@@ -1,4 +1,4 @@
-// Ears of a polygon with holes, cut one by one.
+// Triangulation of a polygon with holes by ear clipping.
 #pragma once
 
 #include <optional>

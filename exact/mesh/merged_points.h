@@ -1,4 +1,4 @@
-// Points that are known by their coordinates alone, numbered in the order in which they first appear.
+// Points that are identified by their coordinates alone, numbered in the order in which they first appear.
 #pragma once
 
 #include <bit>

@@ -23,8 +23,8 @@ NumberFault parse_whole(std::string_view digits, Number& x) {
   return error == std::errc() ? NumberFault::none : NumberFault::out_of_range;
 }
 
-/// The exponent of a numeral that std::from_chars has read to its end, 0 without one. Beyond ±2^60 it is ±2^60, which
-/// no count of digits can make up for.
+/// The exponent of a numeral that std::from_chars has read to its end, 0 if it has none. Beyond ±2^60 it is ±2^60; no
+/// numeral has so many digits that this matters.
 long long exponent_of(std::string_view numeral) {
   constexpr long long huge = 1LL << 60;
   const std::size_t e = numeral.find_first_of("eE");

@@ -5,7 +5,7 @@
 
 namespace tribunal {
 
-/// What a token turned out to be, for the message of whoever asked.
+/// Why a token is no number, for error messages; `none` if it is one.
 enum class NumberFault { none, missing, malformed, out_of_range, not_finite };
 
 /// The nearest binary64 or binary32 number to a decimal numeral such as "-1.5e3", ties to even; a leading "+" is

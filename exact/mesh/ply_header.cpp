@@ -151,8 +151,8 @@ void require_items(const Text& in, const PlyHeader& header, Test test, const cha
 bool is_vertex(const PlyElement& e) { return e.is_vertex(); }
 bool is_face(const PlyElement& e) { return e.is_face(); }
 
-/// The least that an item takes: in text a digit and a blank for each property, in binary its bytes; a list may be
-/// empty, but its length is always there.
+/// The fewest bytes that an item takes: in text a digit and a blank for each property, in binary its bytes; a list may
+/// be empty, but its length is always there.
 std::size_t least_size(const PlyElement& element, PlyCoding coding) {
   std::size_t size = 0;
   for (const PlyProperty& p : element.properties) {
@@ -161,7 +161,8 @@ std::size_t least_size(const PlyElement& element, PlyCoding coding) {
   return size;
 }
 
-/// The last number of a text needs no blank after it.
+/// An error unless `size` bytes can hold the items that the header announces. The last number of a text needs no blank
+/// after it.
 void require_room(const Text& in, const PlyHeader& header, std::size_t size) {
   std::size_t left = size + (header.coding == PlyCoding::text);
   for (const PlyElement& element : header.elements) {

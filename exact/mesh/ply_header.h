@@ -14,21 +14,21 @@ struct PlyType {
   std::size_t bytes = 0;
   bool is_signed = false, floating = false;
 
-  /// Whether an integer type has this value.
+  /// Whether n is a value of this integer type.
   bool holds(long long n) const {
     const auto values = 1LL << (8 * bytes);
     return is_signed ? -values / 2 <= n && n < values / 2 : 0 <= n && n < values;
   }
 };
 
-/// What of a mesh a property says.
+/// Which part of a mesh a property describes.
 enum class PlyRole { other, x, y, z, corners };
 
 /// A number of each item, or a list of numbers.
 struct PlyProperty {
   std::string name;
   PlyType type;
-  PlyType count;  ///< of a list's length
+  PlyType count;  ///< the type of a list's length
   PlyRole role = PlyRole::other;
 
   bool is_list() const { return count.bytes > 0; }

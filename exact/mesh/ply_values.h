@@ -1,4 +1,4 @@
-// The data of a PLY file as numbers one after the other. Text and binary differ only here.
+// Reads the data of a PLY file number by number. Text and binary differ only here.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace tribunal {
 /// Numbers separated by blanks or line ends.
 class PlyText {
  public:
-  /// Reads on after the header.
+  /// Continues after the header, which has been read from `in`.
   explicit PlyText(Text& in) : in_(in) {}
 
   /// A property of type float has the binary32 number nearest to the numeral, so that the file means what its binary
@@ -72,7 +72,7 @@ class PlyBytes {
     }
   }
 
-  /// At most room(type) of them at once.
+  /// Skips n numbers, of which there must be no more than room(type).
   void skip(const PlyType& type, std::size_t n = 1) { in_.skip(n * type.bytes); }
 
   std::size_t room(const PlyType& type) const { return in_.left() / type.bytes; }

@@ -11,8 +11,8 @@ namespace tribunal {
 
 /// The mesh in this file, in its own units; faces with more than three corners as mesh_of makes them. A numeral is
 /// rounded to binary64 correctly (to binary32 first where a PLY header says float), binary coordinates are taken as
-/// they are. Fails with Exit::bad_input, one line `file:line: …`, or `file: byte N: …` in binary files: missing, a
-/// directory, empty, unknown extension, and all that the reader of the format refuses (readers.h).
+/// they are. Fails with Exit::bad_input, one line `file:line: …`, or `file: byte N: …` in binary files, if it is
+/// missing, a directory, empty, of an unknown extension, or refused by the reader of the format (readers.h).
 Mesh read_mesh(const std::string& path);
 
 /// Vertices and faces as they stand in a file of this name, whose bytes these are.

@@ -23,7 +23,7 @@ bool is_skipped(std::string_view word) {
   return std::find(std::begin(skipped), std::end(skipped), word) != std::end(skipped);
 }
 
-/// The faces of an OBJ file may name vertices that come later, so that the greatest index is judged at the end.
+/// Reads an OBJ file. Its faces may name vertices that come later, so the greatest index is checked at the end.
 class ObjReader {
  public:
   ObjReader(const std::string& file, std::string_view bytes) : in_(file, bytes, {'#', true}) {}
@@ -91,7 +91,7 @@ class ObjReader {
     if (!rest.empty()) throw in_.error(in_quotes(rest) + ", expected " + corner_form);
   }
 
-  /// From 1, or from −1 back from the last vertex so far.
+  /// Indices count from 1, or backwards from −1, which is the last vertex so far.
   std::uint32_t index_of(long long index) {
     if (index == 0) throw in_.error("vertex index 0, expected indices from 1, or negative ones");
     if (index < -vertices()) {

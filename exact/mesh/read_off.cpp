@@ -48,9 +48,8 @@ struct Counts {
   std::size_t vertices, faces;
 };
 
-/// The counts follow the magic word on its own line or the next. A number and what parts it from the next take 2 bytes
-/// at least, and so a face 8 ("3 0 0 0\n"); the last line may lack its end. The number of edges is often wrong or
-/// missing.
+/// The counts follow the magic word on its own line or the next. A number with its separator takes at least 2 bytes,
+/// and so a face 8 ("3 0 0 0\n"); the last line may lack its end. The number of edges is often wrong or missing.
 Counts read_counts(Text& in, const Width& width, std::size_t file_size) {
   if (!in.has_token()) in.require_line("the numbers of vertices, faces and edges");
   const std::size_t vertices = read_count(in, "vertices", file_size + 1, 2 * width.least);

@@ -64,7 +64,7 @@ class PlyReader {
     soup_.end_face();
   }
 
-  /// Faces may come before the vertices, whose number the header tells.
+  /// An index of a vertex. Faces may come before the vertices; the header says how many there are.
   std::uint32_t read_index(const PlyProperty& property) {
     const long long index = in_.integer(property.type);
     const auto vertices = static_cast<long long>(header_.vertex().items);

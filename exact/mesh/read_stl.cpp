@@ -71,7 +71,7 @@ Failure neither(const std::string& file, std::string_view bytes) {
                        " bytes; expected 84 + 50 bytes a triangle, or text that starts with \"solid\"");
 }
 
-/// The text form, in which words may be in capitals and solids and normals are whatever stands on their lines.
+/// Reads the text form. Words may be in capitals; the names of solids and the normals are not looked at.
 class StlText {
  public:
   StlText(const std::string& file, std::string_view bytes) : in_(file, bytes, {'\0'}), merged_(soup_.points) {}

@@ -1,4 +1,4 @@
-// What a mesh file holds, before anything is made of it.
+// The faces and points of a mesh file as they stand in it.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +14,8 @@ namespace tribunal {
 /// array, so that a soup takes a small multiple of its file's size.
 struct PolygonSoup {
   std::vector<Point3> points;
-  std::vector<std::uint32_t> corners;  ///< of all faces, as indices into points
-  std::vector<std::uint32_t> ends;     ///< of each face: where its corners end in that array
+  std::vector<std::uint32_t> corners;  ///< the corners of all faces, as indices into points
+  std::vector<std::uint32_t> ends;     ///< for each face, where its corners end in that array
 
   std::size_t size() const { return ends.size(); }
 

@@ -37,7 +37,7 @@ void require_text(const std::string& file, std::string_view bytes) {
   throw bad_input(file, static_cast<std::size_t>(lines) + 1, "has a NUL byte, expected text");
 }
 
-/// Opens the next line of the text, blank or not. A comment hides a backslash that it ends with.
+/// Opens the next line of the text, blank or not. A backslash at the end of a comment does not join the next line.
 bool Text::open_line() {
   joined_ = false;
   at_ = end_ = std::min(next_, text_.size());

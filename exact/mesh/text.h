@@ -1,4 +1,4 @@
-// Text mesh formats as lines of tokens, with the place of each token at hand for the error.
+// Reads text mesh formats line by line and token by token, and knows the place of each token for error messages.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ std::string in_quotes(std::string_view token);
 /// Fails with the line of the first NUL byte: text formats have none.
 void require_text(const std::string& file, std::string_view bytes);
 
-/// What the formats do not agree on.
+/// In what the text formats differ.
 struct TextStyle {
   char comment = '#';      ///< this and the rest of the line are skipped; '\0' for a format without comments
   bool continued = false;  ///< a backslash at the very end of a line joins the next line to it
@@ -44,7 +44,7 @@ class Text {
   /// An error if the line has another token.
   void require_line_end(const char* expected);
 
-  /// The token read last, as a finite number or an integer, or an error at its place.
+  /// The token, which must be the one read last, as a finite number or an integer; or an error at its place.
   template <class Float>
   Float to_coordinate(std::string_view token) const;
   long long to_integer(std::string_view token, const char* expected) const;

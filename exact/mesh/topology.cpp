@@ -68,8 +68,9 @@ class Uses {
   std::vector<Use> uses_;
 };
 
-/// Six times the volume from the first vertex, ring edge by ring edge (each ring as a fan), if its sign is certain: the
-/// error of n terms is below (n + 16)·2⁻⁵² of the sum of their magnitudes, and twice that is asked.
+/// Whether the enclosed volume is certainly negative. Six times the volume is summed from the first vertex over all
+/// ring edges (each ring as a fan); the error of n terms is below (n + 16)·2⁻⁵² of the sum of their magnitudes, and
+/// twice that is required.
 bool is_certainly_negative_inside(const Mesh& mesh) {
   if (mesh.vertices.empty()) return false;
   const Point3& o = mesh.vertices.front();

@@ -1,4 +1,4 @@
-// What the edges of a boundary say about it. Nothing of this is demanded: every face is hit for what it is.
+// Whether a mesh is closed, oriented and manifold, by its edges. None of this is required: faces are hit one by one.
 #pragma once
 
 #include <cstddef>
@@ -23,14 +23,14 @@ struct Topology {
   /// All faces around see their outside, or all their inside, on the same side.
   bool oriented() const { return closed() && unmatched == 0; }
 
-  /// Closed, oriented, not inwards, and manifold along every edge: nothing to say of it. (Vertices are not looked at.)
+  /// Closed, oriented, not inwards, and manifold along every edge. (Vertices are not looked at.)
   bool sound() const { return oriented() && !inward && crowded == 0; }
 };
 
-/// Cost: n log n in the number of edges.
+/// The topology of a mesh. Cost: n log n in the number of edges.
 Topology topology_of(const Mesh& mesh);
 
-/// For people, e.g. "open: 4 of 12 edges have an odd number of faces".
+/// One line for people, e.g. "open: 4 of 12 edges have an odd number of faces".
 std::string describe(const Topology& topology);
 
 }  // namespace tribunal

@@ -21,9 +21,10 @@ struct Turns {
   bool both() const { return left && right; }
 };
 
-/// All corners turn one way, so the ring is locally convex; all of it lies on one side of its first edge, so it winds
-/// once (a ring that winds twice comes back across every edge's line); the fan's triangles turn that way too, so
-/// they tile the ring without overlap. Zeros are collinear corners and do no harm.
+/// The turns of all corners, of all vertices as seen from the first edge, and of the fan's triangles. If all go one
+/// way, the ring is locally convex; all of it lies on one side of its first edge, so it winds once (a ring that winds
+/// twice comes back across every edge's line); and the triangles tile it without overlap. Zeros are collinear corners
+/// and do no harm.
 Turns turns_of(const IndexRing& ring, const std::vector<Point3>& points, Axis dropped) {
   const FilteredKernel k;
   const auto at = [&](std::size_t i) -> const Point3& { return points[ring[i % ring.size()]]; };
@@ -36,7 +37,8 @@ Turns turns_of(const IndexRing& ring, const std::vector<Point3>& points, Axis dr
   return turns;
 }
 
-/// In some projection the ring has area and turns one way only; or it has no area in any.
+/// Whether the fan is the polygon: in some projection the ring has area and turns one way only, or it has no area in
+/// any.
 bool fan_is_polygon(const IndexRing& ring, const std::vector<Point3>& points) {
   bool has_area = false;
   for (const Axis dropped : all_axes) {

@@ -1,4 +1,4 @@
-// Polygonal faces to triangles.
+// Makes triangles of polygonal faces.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
 // CGAL's own do_intersect as a peer, asked only where its preconditions hold: no degenerate operand. Its checks stay
-// on in this file (no NDEBUG), so that a breach would throw and not answer.
+// on in this file (no NDEBUG), so that a breach throws instead of yielding an answer.
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/intersections.h>

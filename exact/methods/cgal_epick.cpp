@@ -1,6 +1,6 @@
 // Segura–Feito on CGAL's Exact_predicates_inexact_constructions_kernel. Points go to its own filtered predicates.
 // Directions cannot: it would round a−o before the predicate sees it. For them CGAL's Filtered_predicate runs our
-// formula in intervals first and in exact rationals where those cannot tell, which is how EPICK itself is made.
+// formula in intervals first and in exact rationals where those are not certain, which is how EPICK itself is made.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Filtered_predicate.h>
 

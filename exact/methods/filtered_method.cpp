@@ -16,7 +16,7 @@ PreparedPolygon prepare(const Polygon& polygon) {
           .ray = [prepared](const Ray& r) { return prepared->meet(r); }};
 }
 
-/// Where the ray hits the triangle in one point of a plane that it crosses.
+/// The parameter of the hit, where the ray crosses the triangle's plane; nothing for a miss or a coplanar contact.
 std::optional<double> parameter_of(const Ray& r, const Triangle& t) {
   const Answer answer = intersect(r, t);
   if (!answer.hit || answer.contact == Contact::coplanar) return std::nullopt;

@@ -38,7 +38,7 @@ struct Row {
   std::vector<Role> roles{};
 };
 
-/// A rival of the shelf on both formats: `name`-float and `name`-double.
+/// A rival in both formats: `name`-float and `name`-double.
 struct Shelf {
   const char* name;
   Method (*in_float)();

@@ -7,7 +7,7 @@
 namespace tribunal {
 namespace {
 
-/// Five signs without rounding are the reference.
+/// Adds the exact twin: the Segura–Feito test without rounding is the reference.
 Method with_exact_twin(Method m) {
   const Method twin = sf_rational();
   m.exact_twin = [twin](const Query& query) { return twin.ask(query); };

@@ -8,15 +8,15 @@ namespace tribunal {
 
 namespace {
 
-/// An integer of up to 15 bits. The conversion to int is one instruction where std::trunc is a call.
+/// Whether x is an integer of up to 15 bits. The conversion to int is one instruction where std::trunc is a call.
 bool is_small_integer(double x) { return std::fabs(x) < 0x1p15 && static_cast<double>(static_cast<int>(x)) == x; }
 
 bool is_small(const Point3& p) { return is_small_integer(p.x) && is_small_integer(p.y) && is_small_integer(p.z); }
 bool is_small(const Direction& d) { return is_small(d.v); }
 
-/// The rational kernel; but where all coordinates are small integers, as on lattices, the same formulas in double,
-/// which are exact there: |differences| < 2¹⁶, |minors| < 2³³, |volumes| and all their partial sums < 3·2⁴⁹ < 2⁵³,
-/// integers.
+/// Decides by the rational kernel; but where all coordinates are small integers, as on lattices, by the same formulas
+/// in double, which are exact there: |differences| < 2¹⁶, |minors| < 2³³, |volumes| and all their partial sums < 3·2⁴⁹
+/// < 2⁵³, integers.
 template <class P, class F>
 Answer over_exact_numbers(const P& probe, const Triangle& t, const F& decide) {
   if (is_small(source(probe)) && is_small(target(probe)) && is_small(t.a) && is_small(t.b) && is_small(t.c)) {

@@ -7,7 +7,7 @@
 
 namespace tribunal {
 
-/// What tells one sf-* method from another.
+/// In what the sf-* methods differ, beside their kernels.
 struct KernelDescription {
   const char* number;
   const char* summary;
@@ -15,7 +15,7 @@ struct KernelDescription {
   bool exact;
 };
 
-/// With the covering prepared.
+/// The test of a polygon for many probes: its covering is computed once.
 template <Kernel K>
 PreparedPolygon prepare(const Polygon& polygon, const K& k) {
   const Covering c = cover(polygon, k);

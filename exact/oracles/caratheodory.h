@@ -141,7 +141,7 @@ bool spans_origin(const Generators<N, points, size>& g) {
 }  // namespace caratheodory_detail
 
 /// Whether the closed probe and the closed triangle meet. N must be exact for these operands. Cost: 20 determinants
-/// and 15 cross products for a segment; there is no early way out, which is the point.
+/// and 15 cross products for a segment, always: no case is treated apart from the others.
 template <class N, class P>
 bool meets_by_caratheodory(const P& probe, const Triangle& t) {
   return caratheodory_detail::spans_origin(differences<N>(probe, t));

@@ -1,4 +1,4 @@
-// Two oracles for a point and the rings of a flat polygon, neither of which divides, sums areas or knows of triangles.
+// Two oracles for a point and the rings of a flat polygon. Neither divides, sums areas or uses triangles.
 // Sources: generic-direction ray: Edelsbrunner & Mücke's simulation of simplicity is not needed, since some direction
 // meets no vertex; half-open crossings: Shimrat, "Algorithm 112: position of point relative to polygon", CACM 5(8),
 // 1962, with the half-open rule of Haines, "Point in polygon strategies", Graphics Gems IV, 1994.
@@ -43,8 +43,9 @@ bool on_ring_edge(const std::vector<SeenEdge<N>>& edges) {
   return false;
 }
 
-/// Parity of the edges that a ray crosses whose line meets no vertex: the first such of directions (1, m). A vertex
-/// spoils at most one m, so one of the first n + 1 serves. The point must lie on no edge.
+/// Whether a ray that avoids the vertices crosses an odd number of edges. Its direction is the first of (1, 0), (1, 1),
+/// (1, 2), … of which the line meets no vertex; a vertex excludes at most one of them, so one of the first n + 1
+/// serves. The point must lie on no edge.
 template <class N>
 bool inside_by_generic_ray(const std::vector<SeenEdge<N>>& edges) {
   namespace detail = point_in_rings_detail;
@@ -60,7 +61,8 @@ bool inside_by_generic_ray(const std::vector<SeenEdge<N>>& edges) {
   }
 }
 
-/// Parity of crossings with the ray (1, 0), where an edge owns its lower end but not its upper.
+/// Whether the ray in the direction (1, 0) crosses an odd number of edges, where an edge contains its lower end but not
+/// its upper.
 template <class N>
 bool inside_by_half_open_crossings(const std::vector<SeenEdge<N>>& edges) {
   bool inside = false;

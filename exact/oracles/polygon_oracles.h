@@ -27,7 +27,7 @@ bool vanishes(const Vec3<N>& u) {
   return sign_of(u.x) == Sign::zero && sign_of(u.y) == Sign::zero && sign_of(u.z) == Sign::zero;
 }
 
-/// {p + t·d}: the vector, and whether t ends at 1.
+/// The points p + t·d, t ≥ 0, up to t = 1 if it `ends`.
 template <class N>
 struct Line {
   Vec3<N> p, d;
@@ -63,7 +63,7 @@ std::optional<Homogeneous<N>> crossing(const Line<N>& l, const Vec3<N>& at, cons
                         den};
 }
 
-/// v − x, times w.
+/// The vertex minus the point x, times w.
 template <class N>
 Vec3<N> seen_from(const Homogeneous<N>& x, const Point3& vertex) {
   const Vec3<N> v = lift<N>(vertex);
@@ -129,8 +129,8 @@ bool is_planar_by_normal(const Polygon& polygon) {
   return true;
 }
 
-/// The edges of a planar polygon as seen from the point where the probe meets its plane: from its source if it lies in
-/// it. Nothing if it misses the plane, or the vertices lie on a line.
+/// The edges of a planar polygon as seen from the point where the probe meets its plane, or from the probe's source if
+/// the probe lies in the plane. Nothing if it misses the plane, or if all vertices lie on a line.
 template <class N, class P>
 std::optional<std::vector<SeenEdge<N>>> seen_from_plane(const P& probe, const Polygon& polygon) {
   namespace detail = polygon_oracle_detail;
@@ -172,11 +172,12 @@ int surface_halves(const P& probe, const Polygon& polygon) {
   return halves;
 }
 
-/// What the oracles say of a probe and a polygon.
+/// The answers of the oracles to a probe and a polygon.
 struct PolygonVerdicts {
   bool planar;
-  bool boundary;  ///< a ring edge is met, by Carathéodory: the probe meets the polygon whatever else
-  /// Planar: whether the point where the plane is met lies inside, on no ring edge.
+  bool boundary;  ///< a ring edge is met, by Carathéodory: then the probe meets the polygon, and no other oracle is
+                  ///< asked
+  /// For a planar polygon: whether the point where the probe meets the plane lies inside, on no ring edge.
   bool by_generic_ray = false, by_half_open_crossings = false;
   int surface_halves = 0;  ///< 2 modulo 4: the covering surface is crossed an odd number of times
 };

@@ -7,7 +7,7 @@
 namespace tribunal {
 namespace {
 
-/// What the call returns. What it throws, against its promise, is a fault.
+/// What the call returns. An exception, which the plugin promises not to throw, becomes a fault.
 template <class Call>
 auto without_exceptions(const Call& call) {
   std::string what = "an exception of its own";
@@ -20,7 +20,7 @@ auto without_exceptions(const Call& call) {
   throw CallFailed{{Status::threw, what}};
 }
 
-/// What the plugin made of a triangle, released with it.
+/// A triangle that the plugin has prepared, which is released when this object ends.
 class PreparedHere : public PreparedCalls {
  public:
   PreparedHere(const tribunal_plugin& plugin, const double* triangle) : ask_(plugin.ask_prepared) {

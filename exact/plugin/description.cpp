@@ -23,7 +23,7 @@ bool is_name(const std::string& s) {
   return !s.empty() && s.size() <= longest_name && is_letter(s[0]) && std::all_of(s.begin(), s.end(), fits_a_name);
 }
 
-/// Reports are made of these lines: no control characters, and UTF-8, which JSON insists on.
+/// Whether s may stand in reports: it has no control characters and is UTF-8, which JSON requires.
 bool is_text(const std::string& s) {
   const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
   if (s.empty() || s.size() > longest_text || std::any_of(s.begin(), s.end(), is_control)) return false;
@@ -34,7 +34,7 @@ bool is_text(const std::string& s) {
   }
 }
 
-/// No more than a little beyond the longest text is read: the string may not end.
+/// Reads at most one character beyond the longest text allowed, since the string may lack its end.
 std::string string_from(const char* s, const char* what, const std::string& file) {
   if (s == nullptr) throw bad_input(file, 0, std::string(what) + " is NULL, expected a string");
   return std::string(s, strnlen(s, longest_text + 1));

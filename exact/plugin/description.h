@@ -1,5 +1,5 @@
-// What a plugin says of itself, checked: name, card and contract of a method. All fail with Exit::bad_input, naming the
-// file, where the description breaks the rules of tribunal_plugin.h.
+// Checks what a plugin says about itself, and makes the name, card and contract of a method of it. All functions fail
+// with Exit::bad_input, naming the file, where the description breaks the rules of tribunal_plugin.h.
 #pragma once
 
 #include <string>
@@ -16,10 +16,10 @@ void require_version(int abi, const std::string& file);
 /// nothing behind the ones that it has is read.
 tribunal_plugin in_this_version(const tribunal_plugin& plugin, const std::string& file);
 
-/// The method without its functions. The description is in this version.
+/// The method without its functions. The description must be in this version.
 Method described(const tribunal_plugin& plugin, const std::string& file);
 
-/// Adds what the method promises of polygons.
+/// Adds to the contract what the plugin promises about polygons.
 void read_restrictions(Contract& contract, const tribunal_polygon_plugin& polygons, const std::string& file);
 
 }  // namespace tribunal

@@ -11,7 +11,7 @@
 namespace tribunal {
 namespace {
 
-/// A function that runs at exit takes no arguments: what it must know is here.
+/// Whether a call of exit would be unexpected now. A variable, since a function that runs at exit takes no arguments.
 std::atomic<bool> unexpected{false};
 
 void report_exit() {

@@ -3,8 +3,8 @@
 
 namespace tribunal {
 
-/// While one lives, an end of the process by exit is reported in one line, with Exit::disagreement as its code. One at
-/// a time.
+/// While one exists, a call of exit is reported in one line and ends the process with the code Exit::disagreement.
+/// There may be one at a time.
 class ExitGuard {
  public:
   explicit ExitGuard(bool on);

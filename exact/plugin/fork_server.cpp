@@ -22,7 +22,7 @@
 namespace tribunal {
 namespace {
 
-/// What the server is asked: a new child (pid 0), or the end of one.
+/// What the server is asked to do: start a child (pid 0), or end one.
 struct Order {
   pid_t pid;
   bool kill;
@@ -112,7 +112,7 @@ void leave_no_core() {
   setrlimit(RLIMIT_CORE, &none);
 }
 
-/// Waits for the child: a moment, then it is killed.
+/// Waits a moment for the child to end, then kills it.
 int wait_for(pid_t pid) {
   constexpr int steps = 1000;
   constexpr useconds_t step = 1000;

@@ -13,7 +13,7 @@ namespace {
 
 // --- introductions ---------------------------------------------------------------------------------------------------
 
-/// A little more than any string that would be taken is told: the string may not end.
+/// Copies a little more than the longest string allowed, and no further, since the string may lack its end.
 std::optional<std::string> text_of(const char* s) {
   constexpr std::size_t longest = 128;
   if (s == nullptr) return std::nullopt;
@@ -31,24 +31,25 @@ std::optional<std::string> take_optional(Reader& in) {
 }
 
 Introduction introduction_of(const Library& library, const std::string& file) {
-  Introduction told;
-  told.plugin = in_this_version(*library.plugin, file);
-  told.name = text_of(told.plugin.name);
-  told.contract = text_of(told.plugin.contract);
-  told.summary = text_of(told.plugin.summary);
-  told.reference = text_of(told.plugin.reference);
-  told.takes_polygons = library.polygons != nullptr;
-  if (!told.takes_polygons) return told;
+  Introduction introduction;
+  introduction.plugin = in_this_version(*library.plugin, file);
+  introduction.name = text_of(introduction.plugin.name);
+  introduction.contract = text_of(introduction.plugin.contract);
+  introduction.summary = text_of(introduction.plugin.summary);
+  introduction.reference = text_of(introduction.plugin.reference);
+  introduction.takes_polygons = library.polygons != nullptr;
+  if (!introduction.takes_polygons) return introduction;
   require_version(library.polygons->abi, file);
-  told.polygons = *library.polygons;
-  return told;
+  introduction.polygons = *library.polygons;
+  return introduction;
 }
 
-Message message_of(const Introduction& told) {
+Message message_of(const Introduction& introduction) {
   Message message;
-  message.add(told.failed_with).add(told.failure).add(told.plugin);
-  for (const auto& text : {told.name, told.contract, told.summary, told.reference}) add(message, text);
-  return message.add(told.takes_polygons).add(told.polygons);
+  message.add(introduction.failed_with).add(introduction.failure).add(introduction.plugin);
+  for (const auto& text : {introduction.name, introduction.contract, introduction.summary, introduction.reference})
+    add(message, text);
+  return message.add(introduction.takes_polygons).add(introduction.polygons);
 }
 
 // --- questions, answered ---------------------------------------------------------------------------------------------
@@ -113,7 +114,7 @@ Reply reply_to(const PluginCalls& calls, std::vector<char> bytes) {
   return reply;
 }
 
-/// Answers until the socket is closed, or there was a fault: what is left of the plugin then is not to be trusted.
+/// Answers until the socket is closed or a fault occurs: after a fault the plugin can no longer be trusted.
 void serve(const PluginCalls& calls, int socket) {
   std::vector<char> bytes;
   while (receive_message(socket, bytes, no_deadline()) == Transfer::done) {
@@ -127,14 +128,15 @@ void serve(const PluginCalls& calls, int socket) {
 
 std::optional<Introduction> introduction_in(std::vector<char> bytes) {
   Reader in(std::move(bytes));
-  Introduction told;
-  told.failed_with = in.take<int>();
-  told.failure = in.take_text();
-  told.plugin = in.take<tribunal_plugin>();
-  for (auto* const text : {&told.name, &told.contract, &told.summary, &told.reference}) *text = take_optional(in);
-  told.takes_polygons = in.take<char>() != 0;
-  told.polygons = in.take<tribunal_polygon_plugin>();
-  return in.complete() ? std::optional(told) : std::nullopt;
+  Introduction introduction;
+  introduction.failed_with = in.take<int>();
+  introduction.failure = in.take_text();
+  introduction.plugin = in.take<tribunal_plugin>();
+  for (auto* const text : {&introduction.name, &introduction.contract, &introduction.summary, &introduction.reference})
+    *text = take_optional(in);
+  introduction.takes_polygons = in.take<char>() != 0;
+  introduction.polygons = in.take<tribunal_polygon_plugin>();
+  return in.complete() ? std::optional(introduction) : std::nullopt;
 }
 
 Message question(Kind kind, int probe, std::size_t n, const double* queries) {
@@ -168,18 +170,18 @@ std::optional<Reply> reply_in(std::vector<char> bytes) {
 }
 
 void host_plugin(const std::string& file, int socket) {
-  Introduction told;
+  Introduction introduction;
   std::shared_ptr<const PluginCalls> calls;
   try {
     require_exact_rounding();
     const Library library = open_library(file);
-    told = introduction_of(library, file);
-    calls = calls_here(told.plugin, library.polygons);
+    introduction = introduction_of(library, file);
+    calls = calls_here(introduction.plugin, library.polygons);
   } catch (const Failure& failure) {
-    told.failed_with = code(failure.exit());
-    told.failure = failure.what();
+    introduction.failed_with = code(failure.exit());
+    introduction.failure = failure.what();
   }
-  if (send_message(socket, message_of(told), no_deadline()) == Transfer::done && calls != nullptr)
+  if (send_message(socket, message_of(introduction), no_deadline()) == Transfer::done && calls != nullptr)
     serve(*calls, socket);
 }
 

@@ -11,8 +11,8 @@
 
 namespace tribunal {
 
-/// What a child says first: what its library describes, or why there is none. The functions in the descriptions are the
-/// child's: here they say only which there are.
+/// The first message of a child: what its library describes, or why it could not be loaded. The function pointers in
+/// the descriptions are the child's: in this process they only say which functions exist.
 struct Introduction {
   int failed_with = 0;  ///< an exit code, and `failure` says why
   std::string failure{};
@@ -25,15 +25,15 @@ struct Introduction {
 /// The introduction, from a message; nothing if it is none.
 std::optional<Introduction> introduction_in(std::vector<char> bytes);
 
-/// Of triangles: one after the other, by one call of the plugin's batch function, one of which more is to be told, or
-/// one that is to be prepared first.
+/// How queries are to be asked. About triangles: one after the other; by one call of the plugin's batch function; one
+/// query by the function that also describes the hit; or one query after preparing its triangle.
 enum class Kind : int { each, batch, tell, prepared, polygon };
 
 Message question(Kind kind, int probe, std::size_t n, const double* queries);
 Message question(int probe, const double* triangle, const double* coordinates);
 Message question(int probe, const double* coordinates, const tribunal_polygon& polygon);
 
-/// What came back: one answer each, or the fault.
+/// The reply of a child: one answer to each query, or the fault.
 struct Reply {
   Fault fault{};
   std::vector<int> answers{};

@@ -36,7 +36,7 @@ std::string seconds_text(double seconds) {
   return text;
 }
 
-/// Children of one plugin, and how they are asked.
+/// Asks a plugin in child processes.
 class IsolatedCalls : public PluginCalls {
  public:
   IsolatedCalls(std::string file, double time_limit)
@@ -56,7 +56,7 @@ class IsolatedCalls : public PluginCalls {
     return reply.answers[0];
   }
 
-  /// Each question prepares the triangle anew: the child that answers may be another one.
+  /// Each query prepares the triangle anew, since it may go to another child.
   std::shared_ptr<const PreparedCalls> prepare(const double* triangle) const override;
 
   void ask_batch(int probe, std::size_t n, const double* queries, int* answers) const override {
@@ -77,7 +77,8 @@ class IsolatedCalls : public PluginCalls {
 
   bool isolated() const override { return true; }
 
-  /// Enough that a message costs nothing beside its answers, few enough to be asked one by one after a fault.
+  /// So many that the cost of a message is small beside that of the answers, so few that they can be asked one by one
+  /// after a fault.
   std::size_t largest_batch() const override { return 256; }
 
  private:
@@ -100,7 +101,7 @@ class IsolatedCalls : public PluginCalls {
 
   static Fault garbled() { return {Status::gave_no_answer, "wrote to our socket"}; }
 
-  /// How a child ended that did not answer.
+  /// The fault of a child that did not answer, by how it ended.
   Fault fault_of_end(const Child& child, Transfer state) const {
     const int status = server_.end(child, state != Transfer::closed);
     if (state == Transfer::garbled) return garbled();
@@ -118,15 +119,15 @@ class IsolatedCalls : public PluginCalls {
     if (state != Transfer::done) {
       throw bad_input(file_, 0, describe(fault_of_end(child, state)) + " as it was loaded");
     }
-    const auto told = introduction_in(std::move(bytes));
-    if (told && told->failed_with == 0) {
+    const auto received = introduction_in(std::move(bytes));
+    if (received && received->failed_with == 0) {
       const std::scoped_lock lock(guard_);
-      introduction_ = *told;
+      introduction_ = *received;
       return child;
     }
     server_.end(child, true);
-    if (!told) throw bad_input(file_, 0, describe(garbled()) + " as it was loaded");
-    throw Failure(static_cast<Exit>(told->failed_with), told->failure);
+    if (!received) throw bad_input(file_, 0, describe(garbled()) + " as it was loaded");
+    throw Failure(static_cast<Exit>(received->failed_with), received->failure);
   }
 
   Child take() const {
@@ -164,7 +165,7 @@ class PreparedElsewhere : public PreparedCalls {
   }
 
  private:
-  const IsolatedCalls& calls_;  ///< which the method keeps
+  const IsolatedCalls& calls_;  ///< kept alive by the method
   std::vector<double> triangle_;
 };
 
@@ -174,13 +175,13 @@ std::shared_ptr<const PreparedCalls> IsolatedCalls::prepare(const double* triang
 
 const char* text(const std::optional<std::string>& s) { return s ? s->c_str() : nullptr; }
 
-/// With the strings that were told. The functions are the child's, and never called.
-tribunal_plugin description_in(const Introduction& told) {
-  tribunal_plugin plugin = told.plugin;
-  plugin.name = text(told.name);
-  plugin.contract = text(told.contract);
-  plugin.summary = text(told.summary);
-  plugin.reference = text(told.reference);
+/// The plugin's description with the strings that the child sent. The functions are the child's and are never called.
+tribunal_plugin description_in(const Introduction& received) {
+  tribunal_plugin plugin = received.plugin;
+  plugin.name = text(received.name);
+  plugin.contract = text(received.contract);
+  plugin.summary = text(received.summary);
+  plugin.reference = text(received.reference);
   return plugin;
 }
 
@@ -188,9 +189,9 @@ tribunal_plugin description_in(const Introduction& told) {
 
 Method isolated_method(const std::string& file, double time_limit) {
   const auto calls = std::make_shared<IsolatedCalls>(file, time_limit);
-  const Introduction told = calls->introduction();
-  const tribunal_plugin plugin = description_in(told);
-  return plugin_method(plugin, file, told.takes_polygons ? &told.polygons : nullptr, calls);
+  const Introduction received = calls->introduction();
+  const tribunal_plugin plugin = description_in(received);
+  return plugin_method(plugin, file, received.takes_polygons ? &received.polygons : nullptr, calls);
 }
 
 }  // namespace tribunal

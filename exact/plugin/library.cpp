@@ -32,7 +32,7 @@ std::string why_not_loaded(const std::string& path) {
   return why;
 }
 
-/// Loaded for good: the method's functions live in it.
+/// Loads the library, which is never unloaded, since the method's functions are in it.
 void* load_library(const std::string& file) {
   const std::string path = as_path(file);
   if (void* const library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL)) return library;

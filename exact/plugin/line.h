@@ -1,4 +1,4 @@
-// What every call of a plugin goes through: coordinates out, answers and faults back.
+// What every call of a plugin shares: coordinates are passed to it, and answers and faults are made of what it returns.
 #pragma once
 
 #include <algorithm>
@@ -68,15 +68,15 @@ class LastFaults {
   std::map<std::thread::id, std::string> of_thread_;
 };
 
-/// The plugin's calls, and what is made of what they return. Whatever a call does instead of answering is a fault: an
-/// answer with that status where the plugin is isolated; else it ends the command, in one line that has the case.
+/// Makes answers of the plugin's calls. Whatever a call does instead of answering is a fault: an answer with that
+/// status where the plugin is isolated; else it ends the command with one line that contains the case.
 struct Line {
   Format format;
   std::string file;
   std::shared_ptr<const PluginCalls> calls;
   std::shared_ptr<LastFaults> faults = std::make_shared<LastFaults>();
 
-  /// What a number that the plugin returned stands for. `make_query` makes the query that was answered so.
+  /// The answer that a number returned by the plugin stands for. `make_query` makes the query that was asked.
   template <class MakeQuery>
   Answer answer_from(int said, const MakeQuery& make_query) const {
     if (said == TRIBUNAL_MISS) return miss();
@@ -88,7 +88,7 @@ struct Line {
         make_query);
   }
 
-  /// The same of a hit of which more is told.
+  /// The same for a plugin that also describes the hit.
   template <class MakeQuery>
   Answer answer_from(int said, const tribunal_hit& hit, const MakeQuery& make_query) const {
     constexpr std::array contacts = {Contact::unsaid, Contact::interior, Contact::edge, Contact::vertex,

@@ -32,8 +32,8 @@ std::string load_plugin(const std::string& file, const Isolation& isolation = {}
 Method plugin_method(const tribunal_plugin& plugin, const std::string& file,
                      const tribunal_polygon_plugin* polygons = nullptr);
 
-/// The same, asked by these calls; the functions in the description say only which there are. If the plugin is
-/// isolated, its faults, and answers that are none, are answers with that status.
+/// The same, asked by these calls; the functions in the description only say which exist. If the plugin is isolated,
+/// its faults, and numbers that stand for no answer, become answers with that status.
 Method plugin_method(const tribunal_plugin& plugin, const std::string& file, const tribunal_polygon_plugin* polygons,
                      const std::shared_ptr<const PluginCalls>& calls);
 

@@ -19,7 +19,7 @@ void Line::require_same_environment() const {
 
 namespace {
 
-/// Pairs with one kind of probe, as a plugin takes them, and where their answers go.
+/// Pairs with one kind of probe, in the form that a plugin takes, and where their answers go.
 struct Pack {
   int kind;
   std::vector<Coordinates> pairs{};
@@ -42,7 +42,7 @@ class Caller {
     return line_.ask([&] { return line_.answer_from(said(line_.calls->ask(kind_of(probe), x.data())), query); }, query);
   }
 
-  /// The parameter of the hit, if it is told.
+  /// The parameter of the hit, if the plugin says it.
   std::optional<double> parameter(const Ray& ray, const Triangle& t) const {
     const Coordinates x = coordinates_of(ray, t, line_.format);
     if (!all_finite(x)) return std::nullopt;
@@ -65,7 +65,7 @@ class Caller {
   }
 
  private:
-  struct Told {
+  struct Reported {
     Answer answer;
     tribunal_hit hit;
   };
@@ -76,7 +76,7 @@ class Caller {
   }
 
   template <class P>
-  Told tell(const P& probe, const Triangle& t, const Coordinates& x) const {
+  Reported tell(const P& probe, const Triangle& t, const Coordinates& x) const {
     tribunal_hit hit{};
     const auto query = [&] { return Query{probe, t}; };
     const auto ask = [&] {
@@ -91,7 +91,7 @@ class Caller {
     return std::visit([&](const auto& probe) { return ask(probe, pair.triangle); }, pair.probe);
   }
 
-  /// The pairs of the kind that may be asked; all others are unsupported.
+  /// The pairs with this kind of probe that may be asked; the answers to its other pairs become unsupported.
   Pack packed(int kind, std::span<const TrianglePair> pairs, std::span<Answer> answers) const {
     Pack pack{kind};
     for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -131,7 +131,7 @@ class Caller {
     }
   }
 
-  /// A fault that none of a batch's queries has alone: it is laid at the door of the first.
+  /// A fault of a batch of which each query alone has none; it is counted for the first query.
   static Fault of_batch(const Fault& fault, std::size_t count) {
     const std::string detail = fault.detail.empty() ? "" : fault.detail + ", ";
     return {fault.kind, detail + "in a batch of " + std::to_string(count) + ", on none of them alone"};
@@ -141,7 +141,7 @@ class Caller {
   Line line_;
 };
 
-/// A triangle that its plugin has prepared; released when the last who asks is gone.
+/// A triangle that a plugin has prepared; it is released with the last copy of this object.
 class PreparedCaller {
  public:
   PreparedCaller(const Triangle& t, Line line) : t_(t), line_(std::move(line)) {
@@ -179,7 +179,7 @@ class PreparedCaller {
   std::shared_ptr<const PreparedCalls> prepared_{};  ///< null where the triangle is beyond the format
 };
 
-/// A polygon as its plugin sees it.
+/// A polygon in the form that a plugin takes.
 class PolygonCaller {
  public:
   PolygonCaller(const Polygon& polygon, Line line)
@@ -238,7 +238,7 @@ void add_batches(Method& method, const Caller& caller, const tribunal_plugin& pl
     };
   };
   if (plugin.ask_batch != nullptr) method.batch = asking(&PluginCalls::ask_batch);
-  // `ask_each` hears no contacts, but only hit or miss, as a batch does.
+  // `ask_each`, like a batch, gets hit or miss and no contact.
   if (isolated && plugin.tells_contact == 0) method.ask_each = asking(&PluginCalls::ask_each);
 }
 

@@ -11,7 +11,7 @@
 namespace tribunal {
 namespace {
 
-constexpr std::uint64_t message_mark = 0x7472'6962'756e'616c;  ///< what is no message does not start so
+constexpr std::uint64_t message_mark = 0x7472'6962'756e'616c;  ///< every message starts with this
 constexpr std::uint64_t longest_message = std::uint64_t{1} << 32;
 
 /// Milliseconds for poll: at least one until the deadline is over; −1 for ever.
@@ -21,7 +21,7 @@ int milliseconds_until(Deadline deadline) {
   return left <= 0 ? 0 : static_cast<int>(std::min(std::ceil(left), 1e9));
 }
 
-/// Moves all bytes by `move(at, left)`, which does what it can at once.
+/// Transfers all bytes by calls of move(at, left), each of which transfers as many as it can without waiting.
 template <class Move>
 Transfer transfer(int socket, short event, std::size_t n, Deadline deadline, const Move& move) {
   for (std::size_t done = 0; done < n;) {

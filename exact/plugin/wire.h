@@ -14,10 +14,11 @@ using Deadline = std::chrono::steady_clock::time_point;
 Deadline after_seconds(double seconds);
 inline Deadline no_deadline() { return Deadline::max(); }
 
-/// How far a transfer came. `closed`: the other end is gone. `garbled`: what came is no message.
+/// How a transfer ended. `closed`: the other end is gone. `late`: after the deadline. `garbled`: what came is no
+/// message.
 enum class Transfer { done, closed, late, garbled };
 
-/// All bytes, or none that count.
+/// Transfers all n bytes; unless the result is `done`, the bytes must not be used.
 Transfer send_bytes(int socket, const void* bytes, std::size_t n, Deadline deadline);
 Transfer receive_bytes(int socket, void* bytes, std::size_t n, Deadline deadline);
 
@@ -50,7 +51,7 @@ class Message {
   std::vector<char> bytes_;
 };
 
-/// A message as it is read, from a process that may say anything: `good` is false once it was too short.
+/// Reads a message from a process that may send anything: `good` is false as soon as the message was too short.
 class Reader {
  public:
   explicit Reader(std::vector<char> bytes) : bytes_(std::move(bytes)) {}
@@ -94,7 +95,7 @@ class Reader {
   bool good_ = true;
 };
 
-/// Whole messages, each with its length before it.
+/// Transfers a whole message, after its length.
 Transfer send_message(int socket, const Message& message, Deadline deadline);
 Transfer receive_message(int socket, std::vector<char>& bytes, Deadline deadline);
 

@@ -10,7 +10,7 @@
 namespace tribunal {
 namespace {
 
-/// Takes the hash off a record; fails if the line is not the text that was hashed.
+/// Removes the hash from a record and returns it; fails if the line is not the text that was hashed.
 std::string take_hash(Json& record, const std::string& line, const Where& where) {
   if (!record.is_object() || record.dump() != line) where.fail("not a line as it was written");
   const Json hash = require(record, "sha256", where);

@@ -21,7 +21,7 @@ class ChainedLog {
  public:
   void add(Json record);
 
-  /// Adds the record {"record":"end","records":n}, without which a log is cut short, and returns the text.
+  /// Adds the record {"record":"end","records":n}, without which a log counts as cut short, and returns the text.
   std::string finish();
 
   const LogRecords& so_far() const { return log_; }

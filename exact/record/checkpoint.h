@@ -1,4 +1,4 @@
-// A fuzz run that was interrupted, on disk: what it takes to go on and end with the same bytes.
+// A fuzz run that was interrupted, on disk: all that is needed to continue it and end with the same bytes.
 #pragma once
 
 #include <optional>
@@ -8,11 +8,11 @@
 
 namespace tribunal {
 
-/// Where a run in this directory leaves its checkpoint.
+/// The file in which a run with this output directory saves its checkpoint.
 std::string checkpoint_path(const std::string& directory);
 
-/// Counts, the numbers of the cases found wrong, and how far the run came, as a chained log. The results of an earlier
-/// run in the directory are removed: they are not of this one.
+/// Saves the counts, the numbers of the cases found wrong, and how far the run came, as a chained log. Removes the
+/// results of an earlier run from the directory.
 void save_checkpoint(const std::string& directory, const FuzzPlan& plan, const FuzzReport& report);
 
 /// The saved report, or nothing if there is none. Fails with Exit::usage if it belongs to another plan.

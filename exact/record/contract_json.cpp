@@ -16,7 +16,7 @@ constexpr std::array all_ends = {Ends::closed, Ends::open, Ends::unspecified};
 constexpr std::array cullings = {Culling::none, Culling::back_faces};
 constexpr std::array formats = {Format::binary32, Format::binary64};
 
-/// The value that the key names.
+/// Sets `value` to the one that the word at the key names.
 template <class T, std::size_t n>
 void read(const Json& object, const char* key, const std::array<T, n>& values, const Where& where, T& value) {
   const Json& word = require(object, key, where);
@@ -29,7 +29,7 @@ void read(const Json& object, const char* key, const std::array<T, n>& values, c
   where.key(key).fail("no word of a contract: " + word.dump());
 }
 
-/// The same of a key that may be missing.
+/// The same for a key that may be missing.
 template <class T, std::size_t n>
 void read_if_given(const Json& object, const char* key, const std::array<T, n>& values, const Where& where, T& value) {
   if (object.contains(key)) read(object, key, values, where, value);

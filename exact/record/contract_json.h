@@ -6,14 +6,14 @@
 
 namespace tribunal {
 
-/// All that the contract says, by its own words: {"probes":["segment","ray"],"triangles":"any",…}.
+/// All that the contract says: {"probes":["segment","ray"],"triangles":"any",…}.
 Json from_contract(const Contract& c);
 
 /// Fails, naming the key, where a word is missing or unknown.
 Contract to_contract(const Json& object, const Where& where);
 
-/// Adds to a finding how the contract reads contacts: "convention", and "readings" with those that are not the usual
-/// ones, if there are any.
+/// Adds to a finding how the contract reads contacts: "convention", and "readings" with those that differ from the
+/// default, if there are any.
 void add_readings(Json& finding, const Contract& c);
 
 /// A contract that takes all operands and reads contacts as the finding says.

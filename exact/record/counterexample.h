@@ -20,17 +20,17 @@ Json exact_evidence(const Query& query);
 /// made with.
 Case with_finding(Case c, const Method& method, const Truth& truth, const Answer& answer);
 
-/// The same, and the method, if it can be asked, is asked again: a fault takes the place of what it answered.
+/// The same, but the method is asked again, if it can be asked: a fault then replaces its answer.
 Case with_steady_finding(Case c, const Method& method, const Truth& truth, const Answer& answer);
 
 /// Asks all findings of a report again, and notes the faults.
 void ask_again(const FuzzPlan& plan, FuzzReport& report);
 
-/// The query, shrunk, likewise; `source` says where it came from, `before` what fault was seen then, if any.
+/// The query, shrunk, with its finding; `source` says where it came from, `before` which fault was seen there, if any.
 Case to_counterexample(const Method& method, const Query& query, Format format, const std::string& source,
                        Status before = Status::ok);
 
-/// The finding, shrunk, likewise; its origin is the family, seed, case number and stress level it came from.
+/// The finding, shrunk; its origin is the family, seed, case number and stress level that it came from.
 Case to_counterexample(const FuzzPlan& plan, const Finding& finding);
 
 /// The case, shrunk, with its finding made anew; its origin stays. Fails with Exit::bad_input if the method answers it
@@ -40,7 +40,7 @@ Case shrunk(Case c, const Method& method);
 /// One JSON line each.
 std::string to_lines(const std::vector<Case>& cases);
 
-/// What a case's own "expect" or "class" has wrong, or nothing.
+/// What is wrong with a case's own "expect" or "class"; empty if nothing is.
 std::string mistaken_claim(const Case& c, const Truth& truth);
 
 /// What `replay` prints of a case: points, evidence, exact answer and every method's. Sets `wrong` if some method

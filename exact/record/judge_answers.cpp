@@ -13,7 +13,7 @@
 namespace tribunal {
 namespace {
 
-/// Fails where a case claims something false of itself.
+/// Answers all cases of the exam exactly. Fails where a case claims something false of itself.
 void answer_exactly(Exam& exam, const std::string& path, unsigned threads) {
   constexpr std::size_t block_size = 256;
   const std::size_t n = exam.cases.size();
@@ -57,7 +57,7 @@ std::string text_at(const Json& object, const char* key, const Where& where) {
   return value.get<std::string>();
 }
 
-/// What "failed" means, where the line says it.
+/// The fault of an answer with the status "failed", if the line names one.
 Status fault_at(const Json& object, const Where& where) {
   if (!object.contains("fault")) return Status::gave_no_answer;
   const std::string name = text_at(object, "fault", where);
@@ -75,7 +75,7 @@ Status status_at(const Json& object, const Where& where) {
   where.key("status").fail("expected \"ok\", \"nonfinite\", \"unsupported\" or \"failed\", found \"" + name + "\"");
 }
 
-/// The words of an answer that this program writes and does not judge are let through.
+/// Keys that this program writes into answers but does not judge are allowed.
 Answer to_answer(const Json& object, const Where& where) {
   require_keys(
       object, {"id", "method", "hit", "status", "class", "contact", "at", "stage", "planar", "fault", "detail"}, where);
@@ -89,7 +89,7 @@ Answer to_answer(const Json& object, const Where& where) {
   return hit == 1 ? hit_at(Contact::unsaid) : miss();
 }
 
-/// Sheets as they fill.
+/// The answer sheets while an answer file is read.
 class Sheets {
  public:
   explicit Sheets(const std::vector<std::string>& ids) : ids_(ids) {

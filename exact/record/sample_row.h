@@ -16,12 +16,12 @@ struct SampleRow {
   Format format = Format::binary64;
   std::size_t level = 0;
   int stress = 0;                  ///< the level's value on the stress axis
-  std::map<Slot, Count> counts{};  ///< where something was asked
+  std::map<Slot, Count> counts{};  ///< only slots in which something was asked
 };
 
 Count total_of(const SampleRow& row);
 
-/// What the row counted of rays, or of segments.
+/// The sum over the slots of rays, or of segments.
 Count total_of(const SampleRow& row, bool rays);
 
 /// All rows of a report in which anything was asked, in the plan's order.

@@ -22,7 +22,7 @@ bool is_zero(const Vector& v) { return is_zero(v.x) && is_zero(v.y) && is_zero(v
 bool is_positive(const Dyadic& x) { return sign_of(x) == Sign::positive; }
 bool at_least(const Dyadic& x, const Dyadic& y) { return sign_of(x - y) != Sign::negative; }
 
-/// {o + t·d}, 0 ≤ t, and t ≤ 1 unless it is endless.
+/// The points o + t·d, 0 ≤ t, and t ≤ 1 unless it is endless.
 struct Line {
   Vector o, d;
   bool endless;
@@ -86,14 +86,15 @@ bool lies_in_triangle(const Homogeneous& h, const Lifted& q) {
 
 bool is_common(const Homogeneous& h, const Lifted& q) { return lies_on(h, q.probe) && lies_in_triangle(h, q); }
 
-/// Where the lines come nearest to each other: their crossing, if they have one.
+/// Adds the point of one line that is nearest to the other: their crossing, if they have one.
 void add_crossing(const Line& line, const Line& edge, std::vector<Homogeneous>& points) {
   const Vector m = cross(line.d, edge.d);
   if (is_zero(m)) return;
   points.push_back(along(line, dot(cross(edge.o - line.o, edge.d), m), dot(m, m)));
 }
 
-/// If operands in one plane, or a triangle without area, have a common point, one of these is.
+/// Points of which one is common to both operands, if they lie in one plane or the triangle has no area, and if they
+/// have a common point.
 std::vector<Homogeneous> candidates(const Lifted& q) {
   std::vector<Homogeneous> points{{q.probe.o, one}, {q.v[0], one}, {q.v[1], one}, {q.v[2], one}};
   if (!q.probe.endless) points.push_back({q.probe.o + q.probe.d, one});
@@ -108,7 +109,7 @@ CommonPoint described(const Homogeneous& h, const Lifted& q) {
   return {contacts[edges_through(h, q)], is_zero(from_source) ? At::source : at_target ? At::target : At::between};
 }
 
-/// n·x is larger on all of the triangle than on all of the probe.
+/// Whether n·x is larger on all of the triangle than on all of the probe.
 bool lies_above(const Lifted& q, const Vector& n) {
   const Dyadic rise = dot(n, q.probe.d);
   if (q.probe.endless && is_positive(rise)) return false;
@@ -144,7 +145,7 @@ std::optional<CommonPoint> common_point(const Query& query) {
 
 /// The difference D of the operands misses the origin. If D is a solid, a facet of it separates: normals of the
 /// triangle or of an edge and the probe. If D is flat, its plane does, or an edge of D within it: such a normal times
-/// an edge. If D lies on a line, that line's direction does, or what leads from the origin straight to the line.
+/// an edge. If D lies on a line, that line's direction does, or the perpendicular from the origin to the line.
 bool has_separating_plane(const Query& query) {
   const Lifted q = lifted(query);
   const std::array<Vector, 4> edges{q.edge(0).d, q.edge(1).d, q.edge(2).d, q.probe.d};

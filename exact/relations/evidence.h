@@ -1,5 +1,5 @@
 // Evidence for an answer, found and checked in exact arithmetic: a point that lies on both operands for a hit, a plane
-// that keeps them apart for a miss. Neither looks at an orientation sign, so neither shares a formula with the tests.
+// that separates them for a miss. Neither looks at an orientation sign, so neither shares a formula with the tests.
 #pragma once
 
 #include <optional>
@@ -18,9 +18,9 @@ struct CommonPoint {
   bool degenerate = false;         ///< the triangle has no area, or the probe is a point
 };
 
-/// Tries the finitely many points of which one is common if any is: where the probe crosses the plane; or, in one
-/// plane, the ends, the vertices and the crossings of lines. Returns one only after checking, by dot and cross
-/// products, that it lies on the probe and on the triangle. Finite operands.
+/// A common point of probe and target, if they have one. Tries finitely many points, of which one is common if any is:
+/// where the probe crosses the plane; or, in one plane, the ends, the vertices and the crossings of lines. Returns one
+/// only after checking, by dot and cross products, that it lies on the probe and on the triangle. Finite operands.
 std::optional<CommonPoint> common_point(const Query& query);
 
 /// Whether some plane has the triangle strictly on one side and the probe strictly on the other. Two disjoint

@@ -1,4 +1,4 @@
-// Relations between one query and another: moves of space, renamings, larger operands.
+// Relations between one query and another: moves of space, other orders of the points, larger operands.
 #include <array>
 #include <cmath>
 #include <limits>
@@ -11,7 +11,7 @@
 namespace tribunal {
 namespace {
 
-/// The probe with its points sent through `point` and its direction through `vector`.
+/// The probe with `point` applied to its points and `vector` to its direction.
 template <class F, class G>
 Segment moved(const Segment& s, const F& point, const G&) {
   return {point(s.p), point(s.q)};
@@ -26,7 +26,7 @@ bool fits(const Segment& s, Format format) { return fits(s.p, format) && fits(s.
 bool fits(const Ray& r, Format format) { return fits(r.o, format) && fits(r.d.v, format); }
 bool fits(const Triangle& t, Format format) { return fits(t.a, format) && fits(t.b, format) && fits(t.c, format); }
 
-/// The query under x ↦ point(x), whose linear part is `vector`; nothing if a coordinate does not survive.
+/// The query under x ↦ point(x), whose linear part is `vector`; nothing if a coordinate is not exact in the format.
 template <class F, class G>
 Changed under(const Query& query, Format format, const F& point, const G& vector) {
   const Triangle& t = query.triangle();
@@ -141,7 +141,7 @@ Changed zero_signs(const Query& query, Format format, Draw& draw) {
   return any ? changed : Changed{};
 }
 
-/// λ·d for λ a power of two, times 3 where that is exact.
+/// The ray with the direction λ·d, where λ is a power of two, times 3 where that is exact.
 Changed direction_scale(const Query& query, Format format, Draw& draw) {
   const auto* r = std::get_if<Ray>(&query.probe);
   if (r == nullptr) return {};
@@ -153,14 +153,14 @@ Changed direction_scale(const Query& query, Format format, Draw& draw) {
   return fits(once, format) ? Query{Ray{r->o, {once}}, query.triangle()} : Changed{};
 }
 
-/// Through the text of a case file: written as what it is, read as binary64.
+/// The query written to the text of a case file in its format, and read back as binary64.
 Changed read_as_binary64(const Query& query, Format format, Draw&) {
   Json line = from_case({.id = "x", .format = format, .query = query});
   line["fmt"] = name_of(Format::binary64);
   return to_case(parse_json(line.dump(), {"relation"}), {"relation"}).query;
 }
 
-/// q + (q − p) is beyond q; exact or not at all.
+/// The segment from p to q + (q − p), which is beyond q; nothing if that is not exact.
 Changed longer_segment(const Query& query, Format format, Draw&) {
   const auto* s = std::get_if<Segment>(&query.probe);
   if (s == nullptr) return {};

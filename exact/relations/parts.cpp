@@ -1,4 +1,4 @@
-// Relations among several queries: exact subdivision, degenerate operands, and answers held against evidence.
+// Relations among several queries: exact subdivision, degenerate operands, and answers checked by evidence.
 #include "exact/relations/evidence.h"
 #include "exact/relations/rows.h"
 #include "exact/trial/observe.h"
@@ -45,14 +45,14 @@ std::vector<Probe> halves(const Ray& r, Format format) {
   return {Segment{r.o, m}, Ray{m, r.d}};
 }
 
-/// The triangle with its vertices turned round, so that any edge can be `bc`.
+/// The triangle with its vertices rotated, so that any edge can be `bc`.
 Triangle turned(const Triangle& t, std::uint64_t by) {
   if (by == 1) return {t.b, t.c, t.a};
   if (by == 2) return {t.c, t.a, t.b};
   return t;
 }
 
-/// What the answer says of the contact, if it says anything, is so.
+/// Whether what the answer says about the contact, if anything, is true of the common point x.
 bool agrees(const Answer& answer, const CommonPoint& x) {
   const bool contact = answer.contact == Contact::unsaid || answer.contact == x.contact;
   return contact && (answer.at == At::unsaid || x.at == At::unsaid || answer.at == x.at);
@@ -131,7 +131,7 @@ std::optional<Instance> hit_has_point(const Query& query, Format, Draw&) {
                   [=](const Method& method) { return is_evident(ask_or_fail(method, query), query, x, method); }};
 }
 
-/// A method may also miss what is no hit by its contract.
+/// A miss has a separating plane, unless the contract makes a miss of a contact.
 std::optional<Instance> miss_has_plane(const Query& query, Format, Draw&) {
   const auto x = common_point(query);
   const bool apart = has_separating_plane(query);

@@ -62,7 +62,7 @@ Changed repeated_vertex(const Query& query, Format, Draw& draw) {
 
 namespace {
 
-/// m is the midpoint of ab, exactly.
+/// Whether m is exactly the midpoint of ab.
 bool is_midpoint(const Point3& a, const Point3& b, const Point3& m) {
   for (int axis = 0; axis < 3; ++axis) {
     const Dyadic excess = Dyadic(a[axis]) + Dyadic(b[axis]) - Dyadic(m[axis]) - Dyadic(m[axis]);
@@ -73,7 +73,7 @@ bool is_midpoint(const Point3& a, const Point3& b, const Point3& m) {
 
 }  // namespace
 
-/// The midpoint of an edge becomes a vertex.
+/// The polygon with the midpoint of an edge as an additional vertex.
 Changed flat_vertex(const Query& query, Format format, Draw& draw) {
   Rings rings = rings_of(query.polygon());
   auto& ring = any_ring(rings, draw);
@@ -110,7 +110,7 @@ Query moved(Query query, const F& f) {
 
 }  // namespace
 
-/// One of the 48 signed permutations of the axes.
+/// The query under one of the 48 signed permutations of the axes.
 Changed signed_axes(const Query& query, Format, Draw& draw) {
   const auto turn = static_cast<int>(draw.below(3));
   const bool swap = draw.below(2) == 0;
@@ -123,7 +123,7 @@ Changed signed_axes(const Query& query, Format, Draw& draw) {
   });
 }
 
-/// Each axis by a power of two of its own, where no bit is lost.
+/// The query with each axis multiplied by a power of two of its own, where no bit is lost.
 Changed powers_of_two(const Query& query, Format format, Draw& draw) {
   int by[3];
   for (int& e : by) e = static_cast<int>(draw.between(-20, 20));

@@ -1,16 +1,16 @@
-// What the rows of the table of relations between answers about polygons are made of.
+// The parts of which the rows of the table of relations between answers about polygons are made.
 #pragma once
 
 #include "exact/relations/rows.h"
 
 namespace tribunal {
 
-/// Other names for the same planar polygon.
+/// Other lists of vertices for the same planar polygon.
 Changed start_vertex(const Query& query, Format format, Draw& draw);
 Changed ring_direction(const Query& query, Format format, Draw& draw);
 Changed ring_order(const Query& query, Format format, Draw& draw);
 
-/// Vertices that change nothing.
+/// Additional vertices that do not change the polygon.
 Changed repeated_vertex(const Query& query, Format format, Draw& draw);
 Changed flat_vertex(const Query& query, Format format, Draw& draw);
 
@@ -19,7 +19,7 @@ Changed reversed_segment(const Query& query, Format format, Draw& draw);
 Changed signed_axes(const Query& query, Format format, Draw& draw);
 Changed powers_of_two(const Query& query, Format format, Draw& draw);
 
-/// What stays when the query is changed: hit, planar and contact; or without the contact.
+/// What stays the same when the query is changed: hit, planar and contact; or hit and planar only.
 enum class Kept { all, hit_and_plane };
 
 std::optional<Instance> kept_by(const Query& query, const Changed& changed, Kept kept);
@@ -31,7 +31,7 @@ std::optional<Instance> keeps_all(const Query& query, Format format, Draw& draw)
   return kept_by(query, move(query, format, draw), Kept::all);
 }
 
-/// Of other polygons the covering, so the surface, may change.
+/// For planar polygons only: the covering of others, and so their surface, may change.
 template <Move move>
 std::optional<Instance> keeps_all_if_planar(const Query& query, Format format, Draw& draw) {
   return is_planar(query) ? keeps_all<move>(query, format, draw) : std::optional<Instance>{};

@@ -61,7 +61,8 @@ class Asked {
   const Query& query() const { return query_; }
   Format format() const { return format_; }
 
-  /// Relations between answers about triangles say themselves of which contracts they speak.
+  /// Whether the method promises an answer to the query. Relations about triangles decide themselves which contracts
+  /// they apply to.
   bool is_owed_by(const Method& method) {
     if (!takes(method, format_)) return false;
     if (query_.operands() == Operands::triangles || promises_all_polygons(method.contract)) return true;
@@ -80,7 +81,8 @@ void ask(const Method& method, const Instance& instance, std::uint64_t g, Relati
   if (const std::optional<bool> holds = instance.holds(method)) count.add(*holds, g, instance.queries);
 }
 
-/// The draw of a relation is a function of the case and the relation, so every method sees the same queries.
+/// Checks all relations on a query. The random numbers of a relation are a function of the case and the relation, so
+/// every method sees the same queries.
 void ask_all(const FuzzPlan& plan, Asked asked, std::uint64_t g, std::vector<RelationCount>& counts) {
   const Operands operands = plan.operands();
   const std::span<const Relation> relations = relations_of(operands);
@@ -94,7 +96,7 @@ void ask_all(const FuzzPlan& plan, Asked asked, std::uint64_t g, std::vector<Rel
   }
 }
 
-/// The ray from p in the direction of q − p, as that rounds: so each relation sees rays of the classes of segments too.
+/// The ray from p in the direction of q − p, rounded: so each relation sees rays like the segments of all classes too.
 std::optional<Query> as_ray(const Query& query, Format format) {
   const auto* s = std::get_if<Segment>(&query.probe);
   if (s == nullptr || query.operands() != Operands::triangles) return {};

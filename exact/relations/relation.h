@@ -1,5 +1,5 @@
 // Relations between answers: checks that need no oracle. For an exact method they hold without exception; for the
-// others the rate of violations is a figure in itself.
+// others the rate of violations is a measure of its own.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace tribunal {
 
-/// What a relation says of one query, ready to be held against any method.
+/// What a relation says about one query, ready to be checked for any method.
 struct Instance {
   std::vector<Query> queries;  ///< those that the method is asked: the witness, if it does not hold
   /// Nothing where the method does not take the queries, or the relation says nothing about its answer.
@@ -29,7 +29,7 @@ struct Relation {
   std::optional<Instance> (*of)(const Query& query, Format format, Draw& draw);
 };
 
-/// All that speak of queries about these operands. Adding one is adding a row.
+/// All relations about these operands. Adding one is adding a row.
 std::span<const Relation> relations_of(Operands operands);
 
 /// How often a method broke a relation, and the first case that shows it.
@@ -39,7 +39,7 @@ struct RelationCount {
   std::vector<Query> witness{};             ///< the queries of the first instance that broke it
   std::uint64_t first = ~std::uint64_t{0};  ///< the number of its case
 
-  /// One instance, of case g.
+  /// Counts one instance, which belongs to case g.
   void add(bool holds, std::uint64_t g, const std::vector<Query>& queries) {
     ++asked;
     if (holds) return;
@@ -62,9 +62,9 @@ struct RelationCount {
   }
 };
 
-/// Every relation of the plan's operands on every case of the plan (a segment and a triangle also as the ray through
-/// it, from p in the direction of q − p, as that rounds), for every method that promises an answer to it; one entry for
-/// each method × relation. Deterministic for any number of threads.
+/// Checks every relation of the plan's operands on every case of the plan (a segment and a triangle also as the ray
+/// through it, from p in the direction of q − p, as that rounds), for every method that promises an answer to it; one
+/// entry for each method × relation. Deterministic for any number of threads.
 std::vector<RelationCount> check_relations(const FuzzPlan& plan);
 
 }  // namespace tribunal

@@ -1,4 +1,4 @@
-// What the rows of the table of relations are made of.
+// The parts of which the rows of the table of relations are made.
 #pragma once
 
 #include "exact/relations/relation.h"
@@ -9,7 +9,7 @@ namespace tribunal {
 using Changed = std::optional<Query>;
 using Move = Changed (*)(const Query& query, Format format, Draw& draw);
 
-/// Moves of space and renamings that keep the answer.
+/// Moves of space and other orders of the points, which keep the answer.
 Changed vertex_order(const Query& query, Format format, Draw& draw);
 Changed reversal(const Query& query, Format format, Draw& draw);
 Changed axis_map(const Query& query, Format format, Draw& draw);
@@ -34,7 +34,7 @@ std::optional<Instance> edge_as_triangle(const Query& query, Format format, Draw
 std::optional<Instance> point_as_triangle(const Query& query, Format format, Draw& draw);
 std::optional<Instance> segment_as_triangle(const Query& query, Format format, Draw& draw);
 
-/// A yes and a no that can be checked.
+/// Evidence that can be checked: a hit has a common point, a miss a separating plane.
 std::optional<Instance> hit_has_point(const Query& query, Format format, Draw& draw);
 std::optional<Instance> miss_has_plane(const Query& query, Format format, Draw& draw);
 
@@ -54,15 +54,15 @@ std::optional<Instance> keeps_hit(const Query& query, Format format, Draw& draw)
   return changed ? implies({query}, {*changed}) : std::optional<Instance>{};
 }
 
-/// Exact, or infinite.
+/// The sum, or x·2^e, if it is exact; else infinity.
 double exact_sum(double x, double y);
 double exact_scale(double x, int e);
 
-/// Each coordinate exact or infinite.
+/// Each coordinate is exact, or else infinite.
 Point3 exact_sum(const Point3& x, const Point3& y);
 Point3 exact_midpoint(const Point3& x, const Point3& y);
 
-/// Finite, and exact in the format.
+/// Whether p is finite and exact in the format.
 bool fits(const Point3& p, Format format);
 
 }  // namespace tribunal

@@ -107,7 +107,7 @@ std::string families() {
   return list;
 }
 
-/// Which of the methods read coplanar contacts otherwise than the rest.
+/// The methods that read coplanar contacts differently from the others, in words.
 std::string transversal_in_words(const Tour& tour) {
   std::string names;
   for (const FuzzFigures& f : tour.fuzz) {

@@ -85,7 +85,7 @@ const Json* drawn_row(const Json& chart, const std::string& population, const st
   return nullptr;
 }
 
-/// Double precision without a filter: the naive method that costs are held against.
+/// Double precision without a filter: the naive method that costs are compared with.
 std::string plain_double() {
   for (const Method& m : methods_with(Role::calibration)) {
     if (m.contract.format == Format::binary64) return m.name;

@@ -28,7 +28,7 @@ struct Spot {
   double x, y;
 };
 
-/// Seen at a slant: x to the right and a little up, y to the left and up, z up.
+/// An oblique projection: x to the right and a little up, y to the left and up, z up.
 std::array<Spot, 5> slanted(const Points& points) {
   std::array<Range, 3> ranges;
   for (int axis = 0; axis < 3; ++axis) {

@@ -7,7 +7,7 @@
 
 namespace tribunal {
 
-/// Inline SVG: both seen at a slant, each axis scaled on its own. A likeness; what it shows is rounded.
+/// Inline SVG: both in an oblique projection, each axis scaled by itself. It shows rounded coordinates.
 std::string sketch(const Segment& s, const Triangle& t);
 
 }  // namespace tribunal

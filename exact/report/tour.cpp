@@ -19,7 +19,7 @@ std::vector<double> coordinates_of(const Case& c) {
   return coordinates;
 }
 
-/// Degenerate operands, all five points in one plane, or coordinates of a size that one does not meet every day.
+/// Degenerate operands, all five points in one plane, or coordinates of an unusual size.
 bool is_special(const Case& c) {
   if (c.class_id == 0 || !std::holds_alternative<Segment>(c.query.probe)) return true;
   const ClassRow& row = class_row(c.class_id);

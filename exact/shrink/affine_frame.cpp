@@ -16,13 +16,13 @@ using Homogeneous = std::array<mpq_class, 4>;
 
 struct Dependent {
   std::size_t vector;
-  std::vector<mpq_class> weights;  ///< of the frame's vectors
+  std::vector<mpq_class> weights;  ///< the weights of the frame's vectors
 };
 
 struct Frame {
   std::vector<std::size_t> basis;
   std::vector<Dependent> dependents;
-  mpz_class denominator = 1;  ///< of all weights
+  mpz_class denominator = 1;  ///< the common denominator of all weights
 };
 
 /// Reduced rows, each with a pivot and the combination of basis vectors that makes it.
@@ -68,7 +68,7 @@ Frame frame_of(const PairVectors& q) {
   return frame;
 }
 
-/// The value, if the format has it.
+/// The value as a double, if it is exact in the format.
 std::optional<double> exact_value(const mpq_class& x, Format format) {
   const double value = x.get_d();
   if (!std::isfinite(value) || mpq_class(value) != x || !is_exact_in(value, format)) return std::nullopt;

@@ -1,4 +1,4 @@
-// The shrinking rules that see coordinates only, whatever the points they belong to.
+// The shrinking rules that look at coordinates only, not at the points that they belong to.
 #pragma once
 
 #include <span>
@@ -19,7 +19,8 @@ struct CoordinateCost {
   void add(double x);
 };
 
-// Each rule changes the points in place and says whether it did so exactly in the format; if not, they are spoilt.
+// Each rule changes the points in place and returns whether it did so exactly in the format; if not, the points must
+// not be used.
 
 /// Subtracts `by` on the axis.
 bool translate_exactly(std::span<Point3* const> points, int axis, double by, Format format);

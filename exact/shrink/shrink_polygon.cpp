@@ -30,8 +30,8 @@ bool drop(Shrinker& s, std::size_t r, std::size_t first, std::size_t count) {
   return s.offer({s.best().probe, without(s.best().polygon(), r, first, count)});
 }
 
-/// Whole rings first, then ever shorter runs of vertices. Runs of sixteen vertices and more start at every eighth
-/// part of their length, so that a ring of thousands is soon a short one.
+/// Drops whole rings first, then ever shorter runs of vertices. Runs of sixteen vertices and more start at multiples of
+/// an eighth of their length, so that a ring of thousands soon becomes short.
 bool drop_runs(Shrinker& s) {
   bool simpler = false;
   for (std::size_t r = s.best().polygon().ends.size(); r-- > 0;) {

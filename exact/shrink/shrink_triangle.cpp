@@ -13,7 +13,7 @@
 namespace tribunal {
 namespace {
 
-/// Zeros as +0: an axis map makes −0 of them.
+/// The point with +0 for −0, which an axis map makes of zeros.
 Point3 without_minus_zero(const Point3& p) { return {p.x + 0.0, p.y + 0.0, p.z + 0.0}; }
 
 /// The query under all orders of its vertices (and ends, for a segment) and all signed axis permutations.
@@ -53,7 +53,7 @@ bool take_smaller_frame(Shrinker& s) {
   return false;
 }
 
-/// From the simplest image up, until one is still answered wrongly.
+/// Offers the images from the simplest on, until one is found that is still answered wrongly.
 bool take_least_image(Shrinker& s) {
   std::vector<std::pair<QueryCost, Query>> simpler;
   for (const Query& image : images_of(s.best())) {

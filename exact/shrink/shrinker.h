@@ -1,4 +1,4 @@
-// The simplest counterexample so far, and the steps that serve any operands.
+// The simplest counterexample so far, and the steps that are the same for all operands.
 #pragma once
 
 #include <array>
@@ -19,8 +19,8 @@ struct QueryVectors {
 
 QueryVectors vectors_in(Query& query);
 
-/// What makes a query simple, the first thing first: fewer vertices; fewer significand bits in all; exponents nearer to
-/// 0; fewer minus signs; of triangles, last, the lexicographic order of the coordinates.
+/// How simple a query is, the first difference decides: fewer vertices; fewer significand bits in all; exponents nearer
+/// to 0; fewer minus signs; of triangles, last, the lexicographic order of the coordinates.
 struct QueryCost {
   std::size_t vertices = 0;
   CoordinateCost simplicity{};
@@ -44,10 +44,10 @@ class Shrinker {
   /// `planar`, and the same wrong answer.
   bool offer(const Query& candidate);
 
-  /// Moves the vector to the origin of the axis, and all with it.
+  /// Translates all points along the axis so that this one gets the coordinate 0.
   bool translate(int axis, std::size_t vector);
 
-  /// Takes a power of two out of the axis.
+  /// Divides the axis by a power of two.
   bool scale(int axis);
 
   /// All coordinates of one value on an axis move together, to 0, ±1 or fewer significand bits.
@@ -65,7 +65,7 @@ class Shrinker {
   const Answer wrong_;
 };
 
-/// All rules once, each where it applies. Whether one did.
+/// Tries all rules once, each where it applies. Returns whether one made the query simpler.
 bool simplify_triangle(Shrinker& shrinker);
 bool simplify_polygon(Shrinker& shrinker);
 

@@ -8,7 +8,7 @@
 namespace tribunal {
 namespace {
 
-/// Members of the group with a count of which `good` holds.
+/// The number of members of the group that have a count for which `good` holds.
 template <class Good>
 int members(const std::map<Slot, Count>& counts, const SlotGroup& group, const Good& good) {
   std::set<int> found;

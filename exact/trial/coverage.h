@@ -13,7 +13,7 @@
 
 namespace tribunal {
 
-/// What a report calls a stage.
+/// The name of a stage in a report.
 using StageWord = std::function<std::string(Stage)>;
 
 /// Answers of one method, by format and slot.
@@ -32,7 +32,7 @@ class Coverage {
   int judged(Format format, const SlotGroup& group) const;
   int judged(Format format, const SlotGroup& group, Stage stage) const;
 
-  /// The same of the 163 classes.
+  /// The same for the 163 classes.
   int classes(Format format) const { return judged(format, slot_groups(Operands::triangles)[0]); }
 
   /// The groups that a report should name: those of which anything was asked in either format, or the only one.

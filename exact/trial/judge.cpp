@@ -5,7 +5,7 @@
 namespace tribunal {
 namespace {
 
-/// What a class says of a case beside its contact.
+/// The facts of a case that its class says.
 Facts facts_in(const ClassRow& row) {
   Facts f{.of_ray = is_ray_class(row.id), .contact = row.contact()};
   f.degenerate = row.triangle != "tri" || row.probe == "pt";

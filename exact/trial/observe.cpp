@@ -6,8 +6,8 @@
 namespace tribunal {
 namespace {
 
-/// A plain hit in front of the origin, and its mirror image behind it: a method that remembers the query before tells
-/// them apart by any sign.
+/// A plain hit in front of the origin, or its mirror image behind it. A method that depends on the query before differs
+/// between the two, whichever sign it remembers.
 Query other_query(Operands operands, double side) {
   const Segment s{{side, side, side}, {side, side, -side}};
   const Triangle t{{0, 0, 0}, {4 * side, 0, 0}, {0, 4 * side, 0}};

@@ -1,4 +1,4 @@
-// Asking a method that may be no function: it may throw, or answer otherwise when it is asked again.
+// Asking a method that may throw, or answer differently when it is asked again.
 #pragma once
 
 #include "core/method.h"
@@ -14,17 +14,17 @@ struct Asked {
 
 Asked try_ask(const Method& method, const Query& query);
 
-/// The method's answer, for those who go no further than a fault: it ends the command with one line that has the case.
+/// The method's answer; a fault ends the command with one line that contains the case.
 Answer ask_or_fail(const Method& method, const Query& query);
 
-/// What shows when the method, which answered thus, is asked the same again: at once, and after each of two other
-/// questions; all that `times` over. No fault if it answers the same every time.
+/// The fault that is seen when the method, which answered `first`, is asked the same query again: at once, and after
+/// each of two other queries; all of this `times` times. No fault if it answers the same every time.
 Fault asked_again(const Method& method, const Query& query, const Answer& first, int times = 1);
 
-/// Asks, and asks again.
+/// Asks the method, and then asks it again as asked_again does.
 Asked observe(const Method& method, const Query& query, int times = 1);
 
-/// Whether they say the same of a hit.
+/// Whether both answers have the same status and the same hit.
 inline bool say_the_same(const Answer& a, const Answer& b) { return a.status == b.status && a.hit == b.hit; }
 
 }  // namespace tribunal

@@ -25,7 +25,7 @@ Truth truth_for(const P& probe, const Query& query) {
   const Polygon polygon = query.polygon();
   const Answer prepared = segura_feito(probe, cover(polygon, k), k);
   Answer on_the_fly = segura_feito(probe, polygon, k);
-  on_the_fly.planar = prepared.planar;  // which it does not ask for
+  on_the_fly.planar = prepared.planar;  // without preparation planarity is not computed
   if (on_the_fly != prepared) contradiction(query, "the prepared covering", "that made on the fly");
   const PolygonVerdicts v = ask_oracles<Dyadic>(probe, polygon);
   if (prepared.planar != v.planar) contradiction(query, "planar by volumes", "by normal");

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t contact_count = 5;  ///< that an exact answer can have
 constexpr Slot first_construction = all_class_count + 1;
 
-/// A coplanar contact is one with a planar polygon.
+/// All outcomes that exist: a coplanar contact occurs with planar polygons only.
 std::vector<Truth> find_outcomes() {
   std::vector<Truth> found;
   for (std::size_t contact = 0; contact < contact_count; ++contact) {
@@ -28,7 +28,7 @@ const std::vector<Truth>& outcomes() {
   return found;
 }
 
-/// Segments first, then rays: what comes 2·n slots after `first` has slots of its own for each.
+/// 2·n slots from `first` on: n for segments, then n for rays.
 struct Twice {
   Slot first;
   std::size_t n;
@@ -70,7 +70,7 @@ int place_member(Slot slot) {
   return static_cast<int>(c.place) * approach_count + static_cast<int>(c.approach);
 }
 
-/// By either kind of probe, or by rays alone.
+/// The index of the slot's construction, for either kind of probe or for rays alone; −1 if it has none.
 template <bool rays_alone>
 int construction_member(Slot slot) {
   if (!is_construction(slot) || (rays_alone && !construction_slots().of_ray(slot))) return -1;

@@ -1,4 +1,4 @@
-// What a case is counted under, whatever its operands.
+// What a case is counted under, for triangles and polygons alike.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace tribunal {
 
-/// Of triangles: the class, of a segment or a ray. Above them, of polygons: the constructions
+/// For triangles: the class, of a segment or a ray. Above these, for polygons: the constructions
 /// (configuration × place × approach), for cases that know theirs; and the outcomes (contact, planar or not) for the
 /// others; each with segments and with rays.
 using Slot = std::uint16_t;
@@ -26,10 +26,10 @@ struct SlotRange {
 SlotRange slots_of(Operands operands);
 Operands operands_of(Slot slot);
 
-/// Of a case of which only the exact answer is known.
+/// The slot of a case of which only the exact answer is known.
 Slot slot_of(const Truth& truth);
 
-/// Of a generated case: by its construction, if it knows that.
+/// The slot of a generated case: by its construction, if that is known.
 Slot slot_of(const Trial& trial, const Truth& truth);
 
 Slot slot_of(const Construction& construction, bool of_ray);
@@ -40,23 +40,24 @@ bool is_of_rays(Slot slot);
 /// "C017", "R017", "comb / outer corner / through", "edge", "none, not planar".
 std::string slot_name(Slot slot);
 
-/// Nothing for a name that no slot has.
+/// The slot of this name; nothing if no slot has it.
 std::optional<Slot> slot_named(const std::string& name);
 
-/// What is behind the name.
+/// What the name of the slot stands for, in words.
 std::string slot_description(Slot slot);
 
 /// Slots that are counted together, such as the 163 classes, or all that have one ring configuration.
 struct SlotGroup {
-  std::string name;     ///< of what is counted
+  std::string name;     ///< what is counted
   std::size_t size;     ///< how many there are
-  bool finest;          ///< one for each slot
-  int (*member)(Slot);  ///< which one the slot belongs to; -1: none
+  bool finest;          ///< each slot is a member by itself
+  int (*member)(Slot);  ///< which member of the group the slot belongs to; -1: none
 };
 
 const std::vector<SlotGroup>& slot_groups(Operands operands);
 
-/// The slots that a sampled sequence should have cases of: all that are aimed at, or all of the others.
+/// The slots that a sampled sequence must have cases of: all classes of triangles; for polygons, all constructions if
+/// `aimed`, else all outcomes.
 std::vector<Slot> slots_due(Operands operands, bool aimed);
 
 }  // namespace tribunal

@@ -9,7 +9,7 @@
 namespace tribunal {
 namespace {
 
-/// What the place says of the contact, where it does: corners and edges that the polygon has twice still are met.
+/// Whether the exact answer is what the construction says. A corner or edge that the polygon has twice is met too.
 bool fits(const Construction& made, const Truth& truth) {
   if (!truth.planar || truth.hit() != is_met(made.place)) return false;
   const bool on_a_line = truth.contact == Contact::coplanar;

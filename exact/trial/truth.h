@@ -8,7 +8,7 @@ namespace tribunal {
 
 /// The exact answer.
 struct Truth {
-  ClassId class_id = 0;  ///< of a triangle; 0 of a polygon, which has none
+  ClassId class_id = 0;  ///< the class of a triangle case; 0 for a polygon, which has none
   Contact contact = Contact::none;
   bool planar = true;     ///< the polygon's vertices lie in one plane
   bool boundary = false;  ///< a ring edge of the polygon is met: where the contact is edge or vertex, and perhaps where
@@ -21,26 +21,26 @@ struct Truth {
   Operands operands() const { return class_id != 0 ? Operands::triangles : Operands::polygons; }
 };
 
-/// The truth of a query of this class: what the class does not say is asked of CGAL's EPICK.
+/// The truth of a query of this class; CGAL's EPICK decides what the class does not say.
 Truth truth_in_class(ClassId id, const Query& query);
 
-/// The same without `facing`, which only methods that cull turn on.
+/// The same without `facing`, which matters only to methods that cull.
 Truth truth_of_class(ClassId id);
 
-/// The exact answer by ways that must agree. Fails with Exit::oracles_contradict and both witnesses where two differ;
-/// there is no majority. Of a triangle: the class table (signs looked up), the Segura–Feito decision of the reference
-/// kernel, Carathéodory's theorem on the differences (which shares no formula with them), and CGAL's do_intersect where
-/// its preconditions hold. Of a polygon: the reference kernel's covering test, prepared and on the fly; if it is
-/// planar, the point where the probe meets the plane, included by a generic ray and by half-open crossings; and the
-/// signed crossings of the covering surface, point by point. Ring edges are met by Carathéodory's theorem, and off the
-/// plane the contact says the same of them.
+/// The exact answer by several formulations, which must agree. Fails with Exit::oracles_contradict and both witnesses
+/// where two differ; there is no majority. Of a triangle: the class table (signs looked up), the Segura–Feito decision
+/// of the reference kernel, Carathéodory's theorem on the differences (which shares no formula with them), and CGAL's
+/// do_intersect where its preconditions hold. Of a polygon: the reference kernel's covering test, with and without
+/// preparation; if it is planar, whether the point where the probe meets the plane is inside, by a generic ray and by
+/// half-open crossings; and the signed crossings of the covering surface, point by point. Ring edges are met by
+/// Carathéodory's theorem, and off the plane the contact says the same of them.
 Truth exact_truth(const Query& query);
 
 /// By construction where a triangle case knows its class, else exact_truth, which must also be what the construction
 /// proves. Case numbers divisible by 257 (prime, so that all classes and levels come up) are judged both ways.
 Truth truth_of(const Trial& trial, std::uint64_t k);
 
-/// What judged a family's cases, and cases from elsewhere, for reports.
+/// The oracles that judged a family's cases, and those that judge cases from elsewhere, in words for reports.
 const char* oracle_of(const Family& family);
 const char* oracles_of(Operands operands);
 

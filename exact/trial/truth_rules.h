@@ -1,4 +1,4 @@
-// Where the exact answer differs by the operands.
+// The parts of the exact answer that differ between triangles and polygons.
 #pragma once
 
 #include <string>

@@ -23,7 +23,7 @@ std::uint64_t determinant(const AffineMap& map) {
          u(0, 2) * (u(1, 0) * u(2, 1) - u(1, 1) * u(2, 0));
 }
 
-/// Within what 7·2^bits leaves of the format's integers.
+/// Half of the time an offset that images below 7·2^bits leave room for in the format's integers.
 void draw_offset(AffineMap& map, Draw& draw, Format format, int bits) {
   if (draw.below(2) == 0) return;
   const int digits = digits_of(format);
@@ -61,7 +61,7 @@ Segment segment_image(const AffineMap& map, const Representative& x, Draw& draw)
   return draw.below(2) == 0 ? s : Segment{s.q, s.p};
 }
 
-/// The direction has no offset, and may be larger than doubles go until it is scaled.
+/// The direction has no offset, and may exceed the range of doubles until it is scaled.
 Ray ray_image(const AffineMap& map, const Representative& x, Format format, Draw& draw,
               std::optional<int> direction_scale) {
   std::array<Scaled, 3> d;
@@ -147,7 +147,7 @@ std::span<const int> mantissa_fills(Format format) {
   return fills_64;
 }
 
-/// The construction is the oracle.
+/// Every case knows its class by construction.
 Family affine_family() {
   return {.name = "affine",
           .stresses = "exact degeneracies of all classes, with growing mantissa fill",

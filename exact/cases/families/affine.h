@@ -20,7 +20,7 @@ struct AffineMap {
 /// most 7.
 inline constexpr int image_bits = 3;
 
-/// Entries of up to `bits` bits, redrawn until the determinant is not zero.
+/// A random map with entries of up to `bits` bits, redrawn until the determinant is not zero.
 AffineMap draw_map(Draw& draw, int bits);
 
 /// The same, half of the time with an offset that the format's integers have room for.
@@ -35,7 +35,7 @@ struct ClassTurn {
 
 ClassTurn class_turn_of(std::uint64_t k, std::size_t levels);
 
-/// The number of the k-th case that asks a segment.
+/// The number of the k-th case of which the probe is a segment.
 std::uint64_t segment_case(std::uint64_t k);
 
 /// The least and the largest coordinate on one axis of M·x, without offset, for the points x of the class
@@ -47,10 +47,11 @@ struct Extent {
 Extent extent_of(const ClassTurn& turn, const AffineMap& map, std::size_t axis);
 
 /// Centres points with this extent of M·x on one axis about zero and scales them until the farthest is in the last
-/// binade: points on both sides of zero are then farther apart than the largest number. Entries of M are doubled.
+/// binade: points on both sides of zero are then farther apart than the largest number. So that the centre is an
+/// integer, this axis of M is doubled.
 void stretch(AffineMap& map, std::size_t axis, const Extent& extent, Format format);
 
-/// A signed axis permutation, each axis scaled by up to 2^±12.
+/// A random signed axis permutation, each axis scaled by up to 2^±12.
 AffineMap draw_axis_map(Draw& draw);
 
 /// The representative of the class under the map, in random vertex order and direction. The class is kept if no
@@ -59,7 +60,7 @@ AffineMap draw_axis_map(Draw& draw);
 Trial image_of(const ClassTurn& turn, const AffineMap& map, Format format, Draw& draw,
                std::optional<int> direction_scale = {});
 
-/// An image with entries of `bits` bits, sometimes with an offset and scaled axes.
+/// An image under a random map with entries of `bits` bits, sometimes with an offset and scaled axes.
 Trial affine_image(Format format, Draw& draw, const ClassTurn& turn, int bits);
 
 /// Bit lengths of the entries of M that the family sweeps.

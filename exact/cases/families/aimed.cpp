@@ -13,7 +13,7 @@ constexpr int aims[] = {0, 1, 2, 3, 4, 5};
 
 std::span<const int> levels(Format) { return aims; }
 
-/// Coordinates of the size of the mesh, so that probes start within a few times its extent.
+/// A number of the size of the largest coordinate, so that probes start within a few times the extent of the mesh.
 double extent_of(const std::vector<Triangle>& triangles) {
   double largest = 0;
   for (const Triangle& t : triangles) {

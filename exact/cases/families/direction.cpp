@@ -41,8 +41,8 @@ int draw_scale_beside(Draw& draw, Format format, int bits, int ratio) {
   return draw.below(2) == 0 ? any : std::clamp(critical, lo, hi);
 }
 
-/// Class representatives at any scale, of rays with the direction 2^level times as large as the geometry. Segments
-/// have no direction: theirs is the same geometry without that stress.
+/// Class representatives at any scale; rays have directions 2^level times as large as the geometry. Segments have no
+/// direction: their geometry is drawn in the same way.
 Family direction_family() {
   return {.name = "direction",
           .stresses = "ray directions far larger or smaller than the geometry: all classes",

@@ -1,4 +1,4 @@
-// Geometry and a ray's direction at scales of their own.
+// Random scales of geometry and of a ray's direction that are far apart.
 #pragma once
 
 #include "exact/cases/families/draw.h"
@@ -6,12 +6,12 @@
 
 namespace tribunal {
 
-/// log2 of direction over geometry: the level, give or take a few binades.
+/// log2 of the size of the direction over that of the geometry: the level plus or minus some binades, at random.
 int draw_ratio(Draw& draw, Format format, int level);
 
-/// Of a geometry of integers of `bits` bits, beside a direction 2^ratio times as large: any scale for which both
-/// exist; or, every other time, one at which a volume, two lengths times the direction, is below the least number of
-/// the format, or above the largest, by a little or by much.
+/// log2 of a random scale for a geometry of integers of `bits` bits with a direction 2^ratio times as large: any scale
+/// at which the format holds both; or, every other time, one at which a volume, which is two lengths times the
+/// direction, is below the least number of the format, or above the largest, by a little or by much.
 int draw_scale_beside(Draw& draw, Format format, int bits, int ratio);
 
 }  // namespace tribunal

@@ -13,7 +13,8 @@ constexpr int distances_32[] = {-100, -40, -20, -10, 0, 10, 14, 20, 40, 100};
 
 constexpr auto levels = by_format<distances_64, distances_32>;
 
-/// 2^level long; half of the long ones along one axis alone, so that the other coordinates keep their bits.
+/// A vector about 2^level long; half of the long ones run along one axis, so that the other coordinates keep their
+/// bits.
 Point3 draw_reach(Draw& draw, Format format, int level) {
   Point3 n = draw_point(draw, format);
   const int axis = static_cast<int>(draw.below(3));
@@ -23,13 +24,13 @@ Point3 draw_reach(Draw& draw, Format format, int level) {
   return n;
 }
 
-/// Multiples of 2^(2 − digits) below 1: sums of two are exact.
+/// A point with coordinates that are multiples of 2^(2 − digits) of at most 1: sums of two are exact.
 Point3 draw_coarse_point(Draw& draw, Format format) {
   const int bits = digits_of(format) - 2;
   return std::ldexp(1.0, -bits) * draw_lattice_point(draw, bits, 1);
 }
 
-/// The origin is a vertex, or on an edge, or inside, exactly.
+/// A triangle of which the origin is a vertex, or a point of an edge, or an inner point, exactly.
 Triangle draw_about_origin(Draw& draw, Format format) {
   const Point3 a = draw_coarse_point(draw, format), b = draw_coarse_point(draw, format);
   const std::uint64_t place = draw.below(3);

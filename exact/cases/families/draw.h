@@ -10,8 +10,8 @@
 
 namespace tribunal {
 
-/// The stream of case k of a family, or another owner in streams.h, under a seed. One draw per statement: argument
-/// order is unspecified in C++.
+/// The random numbers of case k under a seed; `stream` is the number of their owner in streams.h. One draw per
+/// statement: argument order is unspecified in C++.
 class Draw {
  public:
   Draw(std::uint32_t stream, std::uint64_t seed, std::uint64_t k)

@@ -15,7 +15,7 @@
 
 namespace tribunal {
 
-/// One generated case with what its construction knows of it.
+/// One generated case with what is known of it by construction.
 struct Trial {
   Query query{};
   Format format = Format::binary64;
@@ -30,8 +30,7 @@ struct Family {
   std::string_view stresses;    ///< one line for people
   std::string_view population;  ///< what a sampled figure is about
   std::string_view axis;        ///< name and unit of the stress axis
-  bool constructs;  ///< every case knows its class, or its construction, and all of them are drawn: of segments and of
-                    ///< rays
+  bool constructs;  ///< every case knows its class or construction, and all of these are drawn, for segments and rays
   std::span<const int> (*levels)(Format);
   std::function<Trial(Format format, std::uint64_t seed, std::uint64_t k)> make;
   Operands operands = Operands::triangles;

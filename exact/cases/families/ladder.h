@@ -1,4 +1,4 @@
-// Numbers of one axis that lie equal steps apart, far from each other.
+// Coordinates of one axis with three magnitudes in a geometric sequence, far from each other.
 #pragma once
 
 #include "exact/cases/families/draw.h"
@@ -6,7 +6,7 @@
 
 namespace tribunal {
 
-/// 0 and ±m·2^low times 1, 2^half and 2^(2·half).
+/// The numbers 0 and ±m·2^low·s, where s is 1, 2^half or 2^(2·half).
 struct Ladder {
   double m;
   int low, half;
@@ -14,8 +14,8 @@ struct Ladder {
   double draw_number(Draw& draw) const;
 };
 
-/// The largest 2^spread times the least, or half as much if the spread is odd; m has as many bits as the format's range
-/// leaves beside that.
+/// A ladder with the largest magnitude 2^spread times the least, or half of that if the spread is odd; m has as many
+/// bits as the format's range then leaves.
 Ladder draw_ladder(Draw& draw, Format format, int spread);
 
 }  // namespace tribunal

@@ -5,8 +5,8 @@
 
 namespace tribunal {
 
-/// log2 of the scale of integers of 40 to 53 bits (binary32: 11 to 24): where they, their squares or their cubes meet
-/// an end of the range.
+/// log2 of the scale of integers of 40 to 53 bits (binary32: 11 to 24) at which they, their squares or their cubes
+/// reach an end of the format's range.
 inline constexpr int extreme_scales_64[] = {-1074, -1066, -1050, -1022, -586, -537, -400,
                                             -358,  230,   289,   459,   600,  970};
 inline constexpr int extreme_scales_32[] = {-149, -144, -137, -126, -84, -74, -57, -50, 19, 27, 40, 60, 103};
@@ -17,7 +17,7 @@ inline constexpr int spreads_64[] = {8, 40, 100, 200, 310, 500, 800, 1200, 1600,
 inline constexpr int spreads_32[] = {8, 30, 60, 100, 150, 200, 240, 274};
 inline constexpr auto coordinate_spreads = by_format<spreads_64, spreads_32>;
 
-/// log2 of a ray's direction over the geometry.
+/// log2 of the size of a ray's direction over that of the geometry.
 inline constexpr int ratios_64[] = {-2000, -1500, -1100, -900, -800, -700, -600, -400, -200,
                                     -60,   0,     60,    200,  400,  600,  1000, 1500, 2000};
 inline constexpr int ratios_32[] = {-240, -180, -140, -100, -50, -20, 0, 20, 50, 100, 180, 240};

@@ -28,8 +28,8 @@ Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
 }  // namespace
 
 /// Class representatives under integer maps, stretched on `level` axes until differences of finite coordinates are
-/// infinite; the other axes at any scale up to that of integers, and not so small that a ray's direction, which may be
-/// longer than all the geometry, finds no power of two that all its coordinates survive.
+/// infinite; the other axes at any scale up to that of integers, and large enough for a ray's direction, which may be
+/// longer than the geometry: some power of two must keep all its coordinates exact.
 Family overflow_family() {
   return {.name = "overflow",
           .stresses = "finite coordinates whose differences overflow: all classes",

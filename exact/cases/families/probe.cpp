@@ -14,7 +14,7 @@ namespace {
 
 constexpr int usual_scale = 12;
 
-/// Of the last and the first significant bit.
+/// The exponents of the last and of the first significant bit.
 int lowest_exponent(const Scaled& x) { return x.e + std::countr_zero(static_cast<std::uint64_t>(x.m)); }
 int highest_exponent(const Scaled& x) {
   return x.e + static_cast<int>(std::bit_width(static_cast<std::uint64_t>(std::llabs(x.m)))) - 1;
@@ -32,7 +32,7 @@ Direction draw_nowhere(Draw& draw) {
   return d;
 }
 
-/// Of all exponents: those near none; or, one time in eight each, all, the least ones and the greatest.
+/// Some of the exponents: those near 0; or, one time in eight each, all of them, the least ones or the greatest ones.
 ExponentRange draw_range(const ExponentRange& all, Format format, Draw& draw) {
   const int near_end = digits_of(format) + usual_scale;
   const ExponentRange usual{std::max(all.lo, -usual_scale), std::min(all.hi, usual_scale)};

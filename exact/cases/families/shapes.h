@@ -11,8 +11,8 @@ namespace tribunal {
 
 constexpr int digits_of(Format format) { return format == Format::binary32 ? 24 : 53; }
 
-/// Of the least subnormal number and of the largest binade: every number of the format is a multiple of the first power
-/// of two and less than twice the second.
+/// The exponents of the least subnormal number and of the largest binade: every number of the format is a multiple of
+/// the first power of two and less than twice the second.
 constexpr int least_exponent(Format format) { return format == Format::binary32 ? -149 : -1074; }
 constexpr int largest_exponent(Format format) { return format == Format::binary32 ? 127 : 1023; }
 
@@ -64,18 +64,18 @@ inline Point3 draw_lattice_point(Draw& draw, int bits, int step) {
   return p;
 }
 
-/// A point of the triangle's plane with barycentric coordinates in about [−0.25, 1.25], rounded as it comes: near the
-/// plane, inside or outside.
+/// A point of the triangle's plane with barycentric coordinates in about [−0.25, 1.25], rounded, so only near the
+/// plane; inside or outside the triangle.
 inline Point3 draw_in_plane(Draw& draw, Format format, const Triangle& t) {
   const double u = 0.5 + 0.75 * draw_real(draw, format);
   const double v = 0.5 + 0.75 * draw_real(draw, format);
   return in_format(t.a + u * (t.b - t.a) + v * (t.c - t.a), format);
 }
 
-/// The segment from x + v to x − w, as it rounds: nearly through x.
+/// The segment from x + v to x − w, rounded, so only nearly through x.
 inline Segment through(const Point3& x, const Point3& v, const Point3& w) { return {x + v, x - w}; }
 
-/// Through x exactly, where x ± v are integers that the format holds.
+/// The segment through x exactly, where x ± v are integers that the format holds.
 inline Segment through_exactly(const Point3& x, const Point3& v) { return {x + v, x - v}; }
 
 }  // namespace tribunal

@@ -27,9 +27,9 @@ Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
 
 }  // namespace
 
-/// Five points whose coordinates are, on each axis, zero or one of three sizes, equal steps apart on all axes: products
-/// of far smaller and far larger numbers tie exactly, and what is left decides. Half of the cases move one coordinate
-/// by a unit in the last place.
+/// Five points whose coordinates are, on each axis, zero or of one of three magnitudes in geometric sequence, with one
+/// ratio on all axes: products of far smaller and far larger numbers are exactly equal, and small terms decide. Half of
+/// the cases move one coordinate by a unit in the last place.
 Family spread_family() {
   return {.name = "spread",
           .stresses = "numbers up to 2096 binades apart on one axis, whose products tie",

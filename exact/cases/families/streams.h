@@ -1,5 +1,5 @@
 // The register of random streams: who draws under which number. Draws under one number, seed and case are the same
-// draws, so no two of them that could meet in one run may share a number.
+// draws, so two owners that could draw in one run must not share a number.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ struct RandomStreams {
   std::uint32_t first, count = 1;
 };
 
-/// A number, once given, stays: cases under it are what seeds in logs and counterexamples name.
+/// A number, once given, never changes: seeds in logs and counterexamples name the cases drawn under it.
 inline constexpr RandomStreams random_streams[] = {
     {"family affine", 1},
     {"family ulp", 2},
@@ -60,7 +60,7 @@ inline constexpr RandomStreams random_streams[] = {
     {"chart general", 1100},
 };
 
-/// In ascending order and nowhere two of one number.
+/// Whether the rows are in ascending order and no number has two owners.
 constexpr bool are_disjoint(auto&& streams) {
   std::uint64_t next = 0;
   for (const RandomStreams& s : streams) {
@@ -74,7 +74,7 @@ static_assert(are_disjoint(random_streams));
 static_assert(!are_disjoint(std::array<RandomStreams, 2>{{{"relations", 1000, 2}, {"chart", 1001}}}));
 static_assert(!are_disjoint(std::array<RandomStreams, 2>{{{"one", 2}, {"other", 1}}}), "in ascending order");
 
-/// Those of an owner, who must be in the register, or the program does not compile.
+/// The streams of an owner. A call for an owner that is not in the register does not compile.
 consteval RandomStreams streams_owned_by(std::string_view owner) {
   for (const RandomStreams& s : random_streams) {
     if (s.owner == owner) return s;

@@ -1,4 +1,4 @@
-// Degeneracies left by as little as one likes: a zero coordinate moved to a power of two.
+// Degeneracies that are missed by arbitrarily little: a zero coordinate is moved to a power of two.
 #include <algorithm>
 #include <cmath>
 
@@ -19,8 +19,8 @@ constexpr auto levels = by_format<tilts_64, tilts_32>;
 /// Entries of M leave room for the difference of two images in the format's integers.
 constexpr int bits_of(Format format) { return digits_of(format) - 6; }
 
-/// Of the axis that is tilted: half of the time none where the move of 2^(bits − tilt) needs none, else any for which
-/// both the move and the images exist.
+/// log2 of the scale of the tilted axis: half of the time 0, or the nearest scale at which both the move 2^(bits −
+/// tilt) and the images exist in the format; else any scale at which they do.
 int draw_axis_scale(Draw& draw, Format format, int bits, int tilt) {
   const int lo = least_exponent(format) + std::max(0, tilt - bits);
   const int hi = largest_exponent(format) - bits - image_bits;
@@ -29,14 +29,14 @@ int draw_axis_scale(Draw& draw, Format format, int bits, int tilt) {
   return none ? std::clamp(0, lo, hi) : any;
 }
 
-/// All points are moved along the axis until the vertex has the coordinate 0; then it alone gets another.
+/// Translates all points along the axis so that the vertex has the coordinate 0, and sets this coordinate to `move`.
 void tilt_point(const PairVectors& vectors, std::size_t vertex, int axis, double move) {
   const double origin = (*vectors.v[vertex])[axis];
   for (std::size_t i = 0; i < static_cast<std::size_t>(vectors.points); ++i) (*vectors.v[i])[axis] -= origin;
   (*vectors.v[vertex])[axis] = move;
 }
 
-/// A direction has no place: its own size is what the move is small beside.
+/// Sets one coordinate of a direction to 2^−tilt of the direction's size: a direction cannot be translated.
 void tilt_direction(Point3& d, int axis, int tilt, Format format) {
   const double size = std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
   d[axis] = size == 0 ? 0 : in_format(std::ldexp(1.0, std::ilogb(size) - tilt), format);

@@ -55,7 +55,8 @@ double moved_by_ulps(double x, std::int64_t n, Format format) {
 }
 
 /// An affine image of a class representative with one coordinate, or all three of one vertex, moved by ±level units in
-/// the last place; sometimes a zero gets a minus sign. The class is that of the moved points: an oracle must say it.
+/// the last place; sometimes a zero gets a minus sign. The class is that of the moved points, which only an oracle can
+/// say.
 Family ulp_family() {
   return {.name = "ulp",
           .stresses = "near-degeneracy: one vertex some ulps off an exact degeneracy",

@@ -14,7 +14,7 @@ Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
 
 }  // namespace
 
-/// The construction is an oracle.
+/// Every case knows its construction, which is an oracle of its own.
 Family polygon_affine_family() {
   return {.name = "polygon-affine",
           .stresses = "22 ring configurations, 26 kinds of place, with growing mantissa fill",

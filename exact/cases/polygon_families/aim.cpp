@@ -9,7 +9,7 @@ namespace {
 /// The number of pairs of a shape and a place.
 constexpr std::uint64_t round_size = shape_count * place_count;
 
-/// Approach × kind of probe.
+/// The number of pairs of an approach and a kind of probe.
 constexpr std::uint64_t ways = 2 * approach_count;
 
 PolygonPlace place_of_turn(std::size_t shape, std::uint64_t turn) {
@@ -21,8 +21,8 @@ PolygonPlace place_of_turn(std::size_t shape, std::uint64_t turn) {
 
 }  // namespace
 
-/// A round goes one way further than the one before. Where that would bring a level back to a way that it has had,
-/// after the least common multiple of levels and ways, it goes two.
+/// Each round moves every pair of a shape and a place on to its next way. After lcm(levels, ways) rounds a level would
+/// come back to a way that it has had; there the round moves on by two.
 PolygonTurn polygon_turn_of(std::uint64_t k, std::size_t levels) {
   const std::uint64_t pair = k % round_size, round = k / round_size;
   const std::uint64_t way = (pair + round + round / std::lcm(levels, ways)) % ways;

@@ -17,7 +17,7 @@ struct PolygonTurn {
 /// levels do so at every level. A place that the shape does not have gives way to the next that it has.
 PolygonTurn polygon_turn_of(std::uint64_t k, std::size_t levels);
 
-/// A turn, and its points before the map.
+/// A turn, the point aimed at and the ends of the probe, before the affine map.
 struct Aim {
   PolygonTurn turn;
   PlanePoint at;
@@ -28,7 +28,7 @@ struct Aim {
 
 Aim draw_aim(std::uint64_t k, std::size_t levels, Draw& draw);
 
-/// Through, from or to a point of the plane, along a random direction that leaves the plane.
+/// A probe through, from or to the point x of the plane, along a random direction that leaves the plane.
 ProbeEnds draw_piercing(Draw& draw, const PlanePoint& x, Approach approach);
 
 /// The shape and the probe under the map. The construction is kept if no coordinate of M·x + o exceeds the format's

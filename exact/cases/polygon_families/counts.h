@@ -1,4 +1,4 @@
-// Numbers of vertices.
+// The levels of a stress axis that counts vertices.
 #pragma once
 
 #include <span>

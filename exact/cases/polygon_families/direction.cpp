@@ -22,8 +22,8 @@ Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
 
 }  // namespace
 
-/// Shapes at any scale, under rays with the direction 2^level times as large as the geometry. Segments have no
-/// direction: theirs is the same geometry without that stress.
+/// Shapes at any scale; rays have directions 2^level times as large as the geometry. Segments have no direction: their
+/// geometry is drawn in the same way.
 Family polygon_direction_family() {
   return {.name = "polygon-direction",
           .stresses = "ray directions far larger or smaller than the geometry",

@@ -11,13 +11,15 @@ constexpr int heights_32[] = {-149, -120, -80, -40, -20, -10, 0, 10, 20, 40, 80,
 
 constexpr auto levels = by_format<heights_64, heights_32>;
 
-/// Rows as vectors of the plane. Modulo 2⁶⁴: some that are not parallel pass for parallel.
+/// Whether two rows are parallel as vectors of the plane, computed modulo 2⁶⁴: some that are not parallel count as
+/// parallel.
 bool are_parallel(const std::array<std::int64_t, 3>& a, const std::array<std::int64_t, 3>& b) {
   const auto u = [](std::int64_t x) { return static_cast<std::uint64_t>(x); };
   return u(a[0]) * u(b[1]) == u(a[1]) * u(b[0]);
 }
 
-/// One axis takes the height above the plane alone, scaled by 2^height; the other two the coordinates in the plane.
+/// A random map that takes the height above the plane, scaled by 2^height, to one axis and the coordinates in the plane
+/// to the other two.
 AffineMap draw_upright_map(Draw& draw, Format format, int height) {
   AffineMap map = draw_polygon_map(draw, format, draw_fill(draw, format));
   const std::uint64_t up = draw.below(3);
@@ -40,8 +42,8 @@ Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
 
 }  // namespace
 
-/// Shapes across one axis, at integers, and probes that end 2^level above or below: they meet the plane exactly where
-/// they should, however long or short they are.
+/// Shapes with integer coordinates, perpendicular to one axis, and probes that end 2^level above or below: they meet
+/// the plane exactly at the point aimed at, however long or short they are.
 Family polygon_distance_family() {
   return {.name = "polygon-distance",
           .stresses = "probes far longer than the polygon, and such as hardly leave its plane",

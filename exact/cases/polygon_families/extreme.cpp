@@ -6,7 +6,8 @@
 namespace tribunal {
 namespace {
 
-/// The entries fill the significand but for the bits that an image of a shape needs, up to ten less.
+/// The bits of the map's entries: as many as the significand has beside those that the image of a shape needs, or up to
+/// ten fewer.
 int draw_bits(Draw& draw, Format format) {
   const int most = digits_of(format) - polygon_image_bits;
   return static_cast<int>(draw.between(most - 10, most));

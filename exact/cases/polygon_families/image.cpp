@@ -19,7 +19,8 @@ std::int64_t coordinate(const AffineMap& map, std::size_t axis, const Lattice3& 
   return sum;
 }
 
-/// It has no offset, and may be larger than doubles go until it is scaled.
+/// The image of the direction between the ends. It has no offset, and may exceed the range of doubles until it is
+/// scaled.
 std::array<Scaled, 3> direction_between(const AffineMap& map, const ProbeEnds& ends) {
   std::array<Scaled, 3> d;
   for (std::size_t i = 0; i < 3; ++i) {

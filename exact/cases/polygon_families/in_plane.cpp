@@ -5,7 +5,7 @@
 namespace tribunal {
 namespace {
 
-/// At integer points around the shape; one time in eight a point.
+/// Two random integer points in and around the shape; one time in eight the same point twice.
 ProbeEnds draw_ends(Draw& draw) {
   std::int64_t end[4];
   for (std::int64_t& e : end) e = draw.between(-2, 14);

@@ -1,4 +1,4 @@
-// Vertices and rings without number.
+// Polygons with very many vertices and rings.
 #include <algorithm>
 #include <bit>
 
@@ -13,8 +13,8 @@ constexpr int most_teeth[] = {4, 40, 150, 400, 1000};
 
 std::span<const int> levels(Format) { return most_teeth; }
 
-/// Three in four cases are at the first level, three in four of the rest at the second, and so on: oracles take their
-/// time over the long ones. Segments and rays by turns at each.
+/// Three in four cases are at the first level, three in four of the rest at the second, and so on: oracles are
+/// slow on long rings. Segments and rays take turns at each level.
 std::size_t level_with_tail(std::uint64_t k) {
   return std::min<std::size_t>(static_cast<std::size_t>(std::countr_one(k / 2)) / 2, std::size(most_teeth) - 1);
 }
@@ -36,8 +36,8 @@ Wall wall_with_holes(int teeth, int holes) {
   return {teeth, holes, rings};
 }
 
-/// Teeth between the level before and this one, any number of holes with a tail; rings in any order, each from any
-/// start.
+/// A wall with more teeth than the level before and at most as many as this level, and with usually few and sometimes
+/// many holes; the rings are in random order, each with a random start.
 Wall draw_wall(Draw& draw, std::size_t level) {
   const auto teeth = static_cast<int>(draw.between(level == 0 ? 1 : most_teeth[level - 1], most_teeth[level]));
   const int most_holes = draw.below(2) == 0 ? std::min(teeth, 3) : teeth;
@@ -53,7 +53,7 @@ Wall draw_wall(Draw& draw, std::size_t level) {
 
 int draw_below(Draw& draw, int n) { return static_cast<int>(draw.below(static_cast<std::uint64_t>(n))); }
 
-/// Any, or every other time the longest.
+/// A random ring, or every other time the longest.
 const PlaneRing& draw_ring(Draw& draw, const Wall& wall) {
   const bool longest = draw.below(2) == 0;
   if (!longest) return wall.rings[draw.below(wall.rings.size())];
@@ -71,7 +71,8 @@ PlanePoint draw_edge_point(Draw& draw, const Wall& wall) {
   return u % 2 == 0 && v % 2 == 0 ? PlanePoint{u / 2, v / 2} : a;
 }
 
-/// On an edge; in a tooth, in the gap after it, in a hole, between two holes, at a corner of a tooth or of a hole.
+/// A random point on an edge, in a tooth, in the gap after it, in a hole, between two holes, or at a corner of a tooth
+/// or of a hole.
 PlanePoint draw_wall_point(Draw& draw, const Wall& wall) {
   if (draw.below(4) == 0) return draw_edge_point(draw, wall);
   const int tooth = 4 * draw_below(draw, wall.teeth), hole = 4 * draw_below(draw, std::max(wall.holes, 1));
@@ -80,7 +81,8 @@ PlanePoint draw_wall_point(Draw& draw, const Wall& wall) {
   return points[draw.below(std::size(points))];
 }
 
-/// Along the third axis, up to 2¹⁴ long; 16·2^bits·2^longest and the wall stay within the format's integers.
+/// The ends of a probe along the third axis, up to 2¹⁴ long; 16·2^bits·2^longest and the wall stay within the format's
+/// integers.
 ProbeEnds draw_ends(Draw& draw, Format format, const PlanePoint& x, int bits) {
   const int longest = digits_of(format) - bits - 6;
   std::int64_t length = std::int64_t{1} << draw.between(0, std::min(longest, 14));

@@ -29,8 +29,8 @@ Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
 }  // namespace
 
 /// Shapes under integer maps, stretched on `level` axes until differences of finite coordinates are infinite; the
-/// other axes at any scale up to that of integers, and not so small that a ray's direction, which may be longer than
-/// all the geometry, finds no power of two that all its coordinates survive.
+/// other axes at any scale up to that of integers, and large enough for a ray's direction, which may be longer
+/// than the geometry: some power of two must keep all its coordinates exact.
 Family polygon_overflow_family() {
   return {.name = "polygon-overflow",
           .stresses = "finite coordinates whose differences overflow",

@@ -7,7 +7,7 @@
 namespace tribunal {
 namespace {
 
-/// The same unit for both ends of a segment, so that it stays a point.
+/// Moves the probe by a unit in the last place: both ends of a segment alike, so that it stays a point.
 void move_by_a_unit(Draw& draw, Probe& probe, Format format) {
   const auto axis = static_cast<int>(draw.below(3));
   const std::int64_t by = draw.below(2) == 0 ? 1 : -1;

@@ -1,4 +1,4 @@
-// Rings as they round.
+// Rings with rounded vertices.
 #include "exact/cases/families/probe.h"
 #include "exact/cases/polygon_families/counts.h"
 #include "exact/cases/polygon_families/star.h"

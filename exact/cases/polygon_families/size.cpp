@@ -1,4 +1,4 @@
-// Rings as they round, at every size of the geometry.
+// Rings with rounded vertices, at every size of the geometry.
 #include <cmath>
 
 #include "exact/cases/families/levels.h"
@@ -9,7 +9,7 @@
 namespace tribunal {
 namespace {
 
-/// Few, with a tail.
+/// A random number of vertices: mostly small, sometimes up to 32.
 int draw_count(Draw& draw) {
   const std::int64_t most = std::int64_t{4} << draw.below(4);
   return static_cast<int>(draw.between(3, most));

@@ -13,8 +13,8 @@ namespace {
 
 using Ladders = std::array<Ladder, 3>;
 
-/// How the coordinate on one axis follows from the others: not at all, by being one number, or by being that of the
-/// next axis.
+/// How the coordinate on one axis depends on the others: it is free, it is the same number everywhere, or it equals the
+/// coordinate on the next axis.
 enum class Bend : std::uint8_t { free, flat, slanted };
 
 Ladders draw_ladders(Draw& draw, Format format, int spread, int across, Bend bend) {
@@ -49,7 +49,7 @@ PolygonData draw_polygon(Draw& draw, const Ladders& ladders, int across, Bend be
   return polygon;
 }
 
-/// Between any two points of the ladders; or, three times in four, along one axis.
+/// A probe between two random points of the ladders; or, three times in four, along one axis.
 Probe draw_ladder_probe(Draw& draw, bool is_ray, const Ladders& ladders, int across) {
   const bool along_axis = draw.below(4) != 0;
   const Point3 source = draw_point(draw, ladders);
@@ -87,10 +87,10 @@ Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
 
 }  // namespace
 
-/// Rings and probes whose coordinates are, on each axis, zero or one of three sizes, equal steps apart: products of far
-/// smaller and far larger numbers tie exactly, and what is left decides. A third of the polygons are flat across an
-/// axis, a third lie in a plane x = y, the others bend. Half of the cases move one coordinate by a unit in the last
-/// place.
+/// Rings and probes whose coordinates are, on each axis, zero or of one of three magnitudes in geometric sequence:
+/// products of far smaller and far larger numbers are exactly equal, and small terms decide. A third of the polygons
+/// are flat across an axis, a third lie in a plane x = y, the others are not planar. Half of the cases move one
+/// coordinate by a unit in the last place.
 Family polygon_spread_family() {
   return {.name = "polygon-spread",
           .stresses = "numbers up to 2096 binades apart on one axis, whose products tie",

@@ -1,4 +1,4 @@
-// Star-shaped rings as they round, and probes near them.
+// Star-shaped rings with rounded vertices, and segments near them.
 #pragma once
 
 #include "exact/cases/families/draw.h"
@@ -6,8 +6,8 @@
 
 namespace tribunal {
 
-/// A star-shaped ring of n vertices in a random plane of [−1, 1]³, each vertex rounded: planar as it comes from a
-/// modelling program; and a segment that aims at a vertex, a point of an edge or spoke, or anywhere near, as it rounds.
+/// A star-shaped ring of n vertices in a random plane of [−1, 1]³, each vertex rounded: as planar as the polygons of a
+/// modelling program; and a segment, rounded too, aimed at a vertex, a point of an edge or spoke, or anywhere near.
 struct Star {
   PolygonData polygon;
   Segment through;

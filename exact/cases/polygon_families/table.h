@@ -5,7 +5,7 @@
 
 namespace tribunal {
 
-/// All of them.
+/// All families of polygons.
 std::span<const Family> polygon_families();
 
 Family polygon_affine_family();

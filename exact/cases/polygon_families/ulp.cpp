@@ -12,7 +12,7 @@ constexpr int steps[] = {1, 2, 8, 64, 1024};
 
 std::span<const int> levels(Format) { return steps; }
 
-/// A vertex, or every other time the source or the target of the probe, a ray's direction among them.
+/// A random vertex; every other time the source or the target of the probe, which for a ray is its direction.
 Point3& draw_vector(Draw& draw, Query& query) {
   const bool of_probe = draw.below(2) == 0;
   if (of_probe) return *vectors_of(query.probe)[draw.below(2)];

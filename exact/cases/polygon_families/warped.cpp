@@ -1,4 +1,4 @@
-// Rings without a plane.
+// Rings that do not lie in one plane.
 #include "exact/cases/polygon_families/image.h"
 #include "exact/cases/polygon_families/table.h"
 
@@ -36,7 +36,7 @@ Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
 
 }  // namespace
 
-/// Rings whose vertices are anywhere on {0..2}³, probes between points of {0..2}³: exact degeneracies, no plane.
+/// Rings whose vertices are anywhere on {0..2}³, probes between points of {0..2}³: exact degeneracies, not planar.
 Family polygon_warped_family() {
   return {.name = "polygon-warped",
           .stresses = "rings that are not planar, exact degeneracies",

@@ -10,7 +10,7 @@
 
 namespace tribunal {
 
-/// How a probe has a point of the polygon's plane: it runs through it, or starts or ends there.
+/// How a probe meets a point of the polygon's plane: it runs through it, or starts or ends there.
 enum class Approach : std::uint8_t { through, from, to };
 
 inline constexpr int approach_count = 3;
@@ -27,7 +27,8 @@ struct Construction {
   Approach approach;
 };
 
-/// The 774 that exist: 258 pairs of a configuration and a place that it has, each pierced through, from and to.
+/// The 774 constructions that exist: 258 pairs of a configuration and a place that it has, each pierced through, from
+/// and to.
 std::span<const Construction> all_constructions();
 
 /// Index into all_constructions().

@@ -1,4 +1,4 @@
-// Kinds of place, by integers.
+// Decides the kind of place of a point among rings, in integers.
 #include <map>
 
 #include "exact/cases/polygons/shapes.h"
@@ -35,11 +35,11 @@ int winding(const PlanePoint& x, const PlaneRing& ring) {
   return turns;
 }
 
-/// What touches x: vertices and edges, and whether those all lie on one line.
+/// The vertices at x and the edges through x.
 struct Touched {
-  std::vector<std::size_t> rings, vertices;  ///< of each vertex at x
-  std::vector<PlanePoint> directions;        ///< of each edge through x
-  std::size_t edge_ring = 0;                 ///< of the last of them
+  std::vector<std::size_t> rings, vertices;  ///< the indices of ring and vertex, for each vertex at x
+  std::vector<PlanePoint> directions;        ///< the direction of each edge through x
+  std::size_t edge_ring = 0;                 ///< the ring of the last of these edges
   bool edge_at_first = false;
 };
 
@@ -61,7 +61,7 @@ Touched touched(const PlanePoint& x, std::span<const PlaneRing> rings) {
   return t;
 }
 
-/// Whether the vertices at x are one run of a ring.
+/// Whether the vertices at x are consecutive vertices of one ring.
 bool one_run(const Touched& t, std::span<const PlaneRing> rings) {
   std::size_t starts = 0;
   for (std::size_t i = 0; i < t.rings.size(); ++i) {
@@ -92,7 +92,7 @@ PolygonPlace place_on_edge(const Touched& t) {
   return t.edge_ring == 0 ? PolygonPlace::outer_edge : PolygonPlace::hole_edge;
 }
 
-/// The triangles of the covering that hold x, and on how many spokes.
+/// The triangles of the covering that contain x, and on which of their spokes it lies.
 struct Covered {
   int triangles = 0;
   std::vector<int> on_spoke;  ///< the turn of each triangle with x on a spoke

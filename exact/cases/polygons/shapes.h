@@ -39,10 +39,10 @@ enum class PolygonPlace : std::uint8_t {
   spike_tip,           ///< the ring turns back
   flat_vertex,         ///< the ring goes straight on
   outer_corner,        ///< any other vertex of the first ring
-  hole_corner,         ///< of another ring
+  hole_corner,         ///< any other vertex of another ring
   edge_at_first,       ///< inside an edge of the first vertex
   outer_edge,          ///< inside any other edge of the first ring
-  hole_edge,           ///< of another ring
+  hole_edge,           ///< inside any other edge of another ring
   overlapping_edges,   ///< inside several edges on one line
   crossing_edges,      ///< inside several edges that cross
   inside_plain,        ///< inside one triangle
@@ -63,7 +63,7 @@ inline constexpr int place_count = 26;
 
 std::string_view name_of(PolygonPlace place);
 
-/// Whether the closed polygon has such a point.
+/// Whether points of this kind belong to the closed polygon.
 constexpr bool is_met(PolygonPlace place) { return place < PolygonPlace::outside_wound; }
 
 constexpr bool is_vertex(PolygonPlace place) { return place <= PolygonPlace::hole_corner; }

@@ -40,7 +40,8 @@ void require_lengths(std::size_t n, std::initializer_list<PointColumns> points, 
   if (!equal) throw std::invalid_argument("batch: columns of different lengths");
 }
 
-/// Filters block by block, and asks `exactly(i)` of what is left; lanes that do not fill a vector are asked one by one.
+/// Filters block by block, and calls exactly(i) for the undecided ones; the last ones, which do not fill a vector, are
+/// asked one by one.
 template <class Exactly>
 Tally run(FilterPairs filter, std::array<const double*, 15> columns, std::size_t first_moving, std::size_t n,
           std::uint8_t* hit, const Exactly& exactly) {

@@ -1,4 +1,4 @@
-// Pairs as they come, sorted into columns and asked block by block.
+// Answers pairs in any order: sorts them into columns by kind of probe, and asks block by block.
 #include <array>
 #include <stdexcept>
 #include <variant>

@@ -46,7 +46,8 @@ struct LaneMask {
   unsigned bits() const { return bits_of(tag, mask); }
 };
 
-/// A product that is rounded on its own, or with the sum it becomes part of where the target fuses the two.
+/// A product that is not rounded yet: it is rounded by itself, or together with the sum that it enters where the target
+/// has a fused multiply-add.
 struct LaneProduct {
   Vector a, b;
 };
@@ -70,7 +71,7 @@ struct Lanes {
   friend LaneMask operator<=(const Lanes& a, const Lanes& b) { return {hn::Le(a.v, b.v)}; }
   friend Lanes operator/(const Lanes& a, const Lanes& b) { return hn::Div(a.v, b.v); }
 
-  // The second operand if either is NaN: x86's own instructions do that, Highway's scalar functions do not.
+  // These return the second operand if either is NaN: x86's own instructions do, Highway's scalar functions do not.
 #if HWY_TARGET == HWY_SCALAR
   friend Lanes larger(const Lanes& a, const Lanes& b) { return Vector(a.v.raw > b.v.raw ? a.v.raw : b.v.raw); }
   friend Lanes smaller(const Lanes& a, const Lanes& b) { return Vector(a.v.raw < b.v.raw ? a.v.raw : b.v.raw); }

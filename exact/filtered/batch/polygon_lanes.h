@@ -8,22 +8,23 @@
 
 namespace tribunal::HWY_NAMESPACE {
 
-/// The lanes of probes that certainly miss and certainly hit a face, a bit each. Of a ray that hits: it reaches the
-/// plane at num/den, both known up to ±their bounds, and |den| certainly beyond its own.
+/// The lanes on which the probe certainly misses and certainly hits the face, one bit each. A ray that hits reaches the
+/// plane at t = num/den; the bounds are those of the errors of num and den, and |den| certainly exceeds its own.
 struct LaneVerdict {
   unsigned missed, hit;
   Lanes num, den, num_bound, den_bound;
 };
 
-/// A probe a lane, with what of it does not depend on the polygon.
+/// One probe on each lane, to be filtered against one polygon after the other.
 template <class P>
 class PolygonFilter {
  public:
-  /// Sources, and targets or directions.
+  /// The sources of the probes, and the targets of segments or the directions of rays.
   PolygonFilter(const Vec3<Lanes>& source, const Vec3<Lanes>& target) : source_(source), target_(target) {}
 
-  /// The plane first: both ends certainly on one side miss. Then the parity of the edges ahead of the point, for those
-  /// lanes of `asked` whose ends are certainly on two.
+  /// First the plane: a probe with both ends certainly on one side misses. Then, for those lanes of `asked` on which
+  /// the ends certainly lie on different sides, the parity of the edges ahead of the point where the probe meets the
+  /// plane.
   HWY_INLINE LaneVerdict filter(const PolygonFigures& f, unsigned asked) const {
     const Vec3<Twin<Lanes>> base = twice_each(f.base);
     const Vec3<Lanes> end = is_ray ? target_ : target_ - of(f.base);

@@ -9,12 +9,12 @@ namespace tribunal::HWY_NAMESPACE {
 
 using namespace detail;
 
-/// A probe by lanes: where it starts, and its target or, of a ray, its direction.
+/// One probe on each lane: its source, and its target or, for a ray, its direction.
 struct LaneProbe {
   Vec3<Lanes> source, target;
 };
 
-/// Lanes on which a determinant certainly is positive, and negative.
+/// The lanes on which a determinant is certainly positive, and those on which it is certainly negative.
 struct CertainSigns {
   unsigned positive, negative;
 };

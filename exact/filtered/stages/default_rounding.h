@@ -21,7 +21,7 @@ class DefaultRounding {
   DefaultRounding& operator=(const DefaultRounding&) = delete;
 
  private:
-  /// Of what doubles are computed with. False where we cannot tell cheaply.
+  /// Whether the unit that computes doubles has the default environment. False where this cannot be read cheaply.
   static bool is_default() {
 #if defined(__SSE2__)
     constexpr unsigned rounding_mode_and_flushing = 0xe040;

@@ -1,4 +1,4 @@
-// The stages after the filter: any question about signs, asked over fixed-width integers, or else over GMP's.
+// The stages after the filter: a decision by signs is made over integers of a fixed width, or else over GMP's.
 #pragma once
 
 #include <optional>

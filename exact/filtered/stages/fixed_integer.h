@@ -11,7 +11,7 @@
 namespace tribunal {
 
 /// An integer modulo 2^(64·Words), read as two's complement. +, − and × are exact as long as the true result lies in
-/// [−2^(64·Words−1), 2^(64·Words−1)); what intermediate results lose to the modulus comes back.
+/// [−2^(64·Words−1), 2^(64·Words−1)); intermediate results may wrap around.
 template <std::size_t Words>
 class FixedInteger {
  public:

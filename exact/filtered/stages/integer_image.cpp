@@ -12,7 +12,7 @@ constexpr int none = -5000;  ///< below every exponent
 
 std::uint64_t without_sign(double x) { return std::bit_cast<std::uint64_t>(x) << 1; }
 
-/// Of the binade above |x|, whose pattern without sign this is; zero has none.
+/// The least e with |x| < 2^e, where `pattern` is the bit pattern of x without its sign; `none` for zero.
 int top_of(std::uint64_t pattern) {
   const auto field = static_cast<int>(pattern >> 53);
   if (field != 0) return field - 1022;
@@ -21,7 +21,7 @@ int top_of(std::uint64_t pattern) {
 
 double power_of_two(int e) { return std::bit_cast<double>(static_cast<std::uint64_t>(e + 1023) << 52); }
 
-/// x·2^shift if that is an integer, for any x and shift that leave it below 2¹⁰⁰⁰.
+/// Sets x to x·2^shift if that is an integer, else returns false. The result must be below 2¹⁰⁰⁰.
 bool scale_any(double& x, int shift) {
   const std::uint64_t pattern = without_sign(x);
   const auto field = static_cast<int>(pattern >> 53);
@@ -35,9 +35,9 @@ bool scale_any(double& x, int shift) {
   return true;
 }
 
-/// The same where 2^shift is a normal number: a product with it is exact, unless it is no integer anyway. What is below
-/// one is told from zero by its bits: where subnormals are read as zero, a comparison takes a subnormal product for
-/// one.
+/// The same by the factor 2^shift, which must be a normal number: the product is exact, unless it is no integer.
+/// Whether it is below one, or zero, is read from its bits: where subnormals are read as zero, a comparison would take
+/// a subnormal product for zero.
 bool scale(double& x, double factor) {
   constexpr double integers_from_here = 0x1p53;
   const double y = x * factor;
@@ -47,7 +47,7 @@ bool scale(double& x, double factor) {
   return is_integer && !below_one;
 }
 
-/// Scales one coordinate of all the points.
+/// Scales one coordinate of all the points. Returns whether all results are integers.
 bool scale_axis(std::initializer_list<Point3*> points, int axis, int shift) {
   bool fits = true;
   if (std::abs(shift) <= 1022) {
