@@ -41,7 +41,7 @@ class Shrinker {
   Format format() const { return format_; }
 
   /// Takes the candidate if it is simpler and still the same counterexample: the same exact class, contact and
-  /// `planar`, and the same wrong answer.
+  /// `planar`, wrong in the same way, and no less severe.
   bool offer(const Query& candidate);
 
   /// Moves the vector to the origin of the axis, and all with it.
@@ -63,6 +63,8 @@ class Shrinker {
   QueryCost cost_;
   const Truth truth_;
   const Answer wrong_;
+  const Outcome outcome_;
+  const Severity severity_;
 };
 
 /// All rules once, each where it applies. Whether one did.
