@@ -184,7 +184,8 @@ void log_plan(ChainedLog& log, const Method& method, Operands operands, const st
                      {"terms", from_contract(method.contract)},
                      {"stages", stages},
                      {"budget", budget},
-                     {"seed", seed}};
+                     {"seed", seed},
+                     {"version", log_version}};
   log.add(with_operands(plan, operands));
   Json made_with = {{"record", "environment"}};
   made_with.update(environment());

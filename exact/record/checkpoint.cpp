@@ -21,7 +21,10 @@ Json plan_record(const FuzzPlan& plan) {
 }
 
 Json finding_record(const Finding& f) {
-  Json record = {{"record", "finding"}, {"method", f.method}, {"stream", f.stream}, {"case", f.k},
+  Json record = {{"record", "finding"},
+                 {"method", f.method},
+                 {"stream", f.stream},
+                 {"case", f.k},
                  {"outcome", name_of(f.outcome)}};
   if (is_fault(f.answer.status)) record["fault"] = fault_name(f.answer.status);
   return record;

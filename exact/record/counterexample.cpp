@@ -49,9 +49,8 @@ std::vector<Method> naive_beside(const Method& on_trial) {
 
 /// None of them is wrong. Of polygons, those that take none say nothing.
 bool naive_are_right(const Method& on_trial, const Query& query, const Truth& truth) {
-  return std::ranges::none_of(naive_beside(on_trial), [&](const Method& m) {
-    return is_wrong(judge(m, truth, try_ask(m, query).answer));
-  });
+  return std::ranges::none_of(naive_beside(on_trial),
+                              [&](const Method& m) { return is_wrong(judge(m, truth, try_ask(m, query).answer)); });
 }
 
 /// What the answer is and why, by words that `rank_of` reads.

@@ -19,7 +19,9 @@ void list(std::string& text, std::uint64_t n, const std::string& one, const std:
   text += (text.empty() ? "" : ", ") + std::to_string(n) + " " + (n == 1 ? one : many);
 }
 
-void list(std::string& text, std::uint64_t n, std::string_view what) { list(text, n, std::string(what), std::string(what)); }
+void list(std::string& text, std::uint64_t n, std::string_view what) {
+  list(text, n, std::string(what), std::string(what));
+}
 
 std::string outcomes_of(const Count& c) {
   std::string text;
@@ -90,8 +92,8 @@ std::string breakdown(const Count& count) {
 }
 
 std::string headline(const std::vector<Counted>& counts) {
-  constexpr const char* where[] = {"wrong in plain general position:", "wrong on boundaries only:",
-                                   "wrong at extreme scales only:"};
+  constexpr const char* where[] = {
+      "wrong in plain general position:", "wrong on boundaries only:", "wrong at extreme scales only:"};
   if (std::string text = listed(counts, &Count::unsaid); !text.empty()) {
     return "wrong:" + listed(counts, &Count::wrong) + "; in what position is not said";
   }

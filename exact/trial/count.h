@@ -14,12 +14,12 @@ namespace tribunal {
 /// ones, what they are. Counts of older logs say no more than how many are wrong: then less than all is said.
 struct Count {
   std::uint64_t asked = 0, wrong = 0;
-  std::uint64_t unsupported = 0;                        ///< refused, or not owed
-  std::uint64_t refused = 0;                            ///< of these, where the contract takes the case
-  std::array<std::uint64_t, stage_count> by_stage{};    ///< answers, right or wrong
-  std::array<std::uint64_t, 4> by_outcome{};            ///< wrong ones, in the order of `wrong_outcomes`
-  std::array<std::uint64_t, 3> by_severity{};           ///< wrong ones
-  std::uint64_t logic = 0, rounding = 0;                ///< wrong ones about which the exact twin was asked
+  std::uint64_t unsupported = 0;                      ///< refused, or not owed
+  std::uint64_t refused = 0;                          ///< of these, where the contract takes the case
+  std::array<std::uint64_t, stage_count> by_stage{};  ///< answers, right or wrong
+  std::array<std::uint64_t, 4> by_outcome{};          ///< wrong ones, in the order of `wrong_outcomes`
+  std::array<std::uint64_t, 3> by_severity{};         ///< wrong ones
+  std::uint64_t logic = 0, rounding = 0;              ///< wrong ones about which the exact twin was asked
 
   void add(Outcome o, Stage stage) {
     ++asked;

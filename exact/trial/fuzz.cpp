@@ -19,8 +19,8 @@ namespace {
 using FirstFindings = std::map<std::tuple<std::size_t, std::size_t, Slot, Status, Outcome, Severity>, Finding>;
 
 void keep_first(FirstFindings& kept, const Finding& f) {
-  const auto [entry, fresh] = kept.try_emplace(
-      {f.method, f.stream, slot_of(f.truth), f.answer.status, f.outcome, f.severity}, f);
+  const auto [entry, fresh] =
+      kept.try_emplace({f.method, f.stream, slot_of(f.truth), f.answer.status, f.outcome, f.severity}, f);
   if (!fresh && f.k < entry->second.k) entry->second = f;
 }
 

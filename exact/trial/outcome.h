@@ -73,8 +73,8 @@ class TwinQuota {
 };
 
 constexpr std::string_view name_of(Outcome o) {
-  constexpr std::string_view names[] = {"right",   "false hit", "false miss", "wrong contact", "fault",
-                                        "refused", "not owed"};
+  constexpr std::string_view names[] = {"right", "false hit", "false miss", "wrong contact",
+                                        "fault", "refused",   "not owed"};
   return names[static_cast<int>(o)];
 }
 
