@@ -66,6 +66,7 @@ void add_verdict(Json& finding, const Method& method, const Query& query, const 
   if (outcome == Outcome::wrong_contact) {
     finding["contact_told"] = name_of(answer.contact);
     finding["contact"] = name_of(truth.contact);
+    if (answer.planar != truth.planar) finding["planar_told"] = answer.planar;
   }
 }
 
@@ -213,6 +214,7 @@ void ask_again(const FuzzPlan& plan, FuzzReport& report) {
 Rank rank_of(const Case& c) {
   const Json finding = c.finding.is_object() ? c.finding : Json::object();
   Rank rank;
+  rank.contact_alone = finding.value("outcome", "") == name_of(Outcome::wrong_contact);
   rank.naive_wrong = !finding.value("naive_right", false);
   for (const Severity s : all_severities) {
     if (finding.value("severity", "") == name_of(s)) rank.severity = s;

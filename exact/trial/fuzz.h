@@ -45,7 +45,7 @@ struct Finding {
   Cause cause = Cause::unknown;
   bool naive_right = false;  ///< the naive methods answer it rightly
 
-  Rank rank() const { return {severity, !naive_right, cause}; }
+  Rank rank() const { return {severity, outcome == Outcome::wrong_contact, !naive_right, cause}; }
 };
 
 struct FuzzReport {

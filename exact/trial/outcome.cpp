@@ -1,30 +1,13 @@
 #include "exact/trial/outcome.h"
 
-#include <algorithm>
 #include <cmath>
 
+#include "exact/cases/families/everyday.h"
 #include "exact/trial/coverage.h"
 #include "exact/trial/judge.h"
 
 namespace tribunal {
 namespace {
-
-// --- everyday scale -------------------------------------------------------------------------------------------------
-
-bool is_everyday(double x) { return x == 0 || (std::fabs(x) >= 1e-4 && std::fabs(x) <= 1e5); }
-bool is_everyday(const Point3& p) { return is_everyday(p.x) && is_everyday(p.y) && is_everyday(p.z); }
-bool is_everyday(const Segment& s) { return is_everyday(s.p) && is_everyday(s.q); }
-bool is_everyday(const Ray& r) { return is_everyday(r.o) && is_everyday(r.d.v); }
-bool is_everyday(const Triangle& t) { return is_everyday(t.a) && is_everyday(t.b) && is_everyday(t.c); }
-
-bool is_everyday(const PolygonData& polygon) {
-  return std::ranges::all_of(polygon.vertices, [](const Point3& v) { return is_everyday(v); });
-}
-
-bool is_everyday(const Query& query) {
-  const auto everyday = [](const auto& operand) { return is_everyday(operand); };
-  return std::visit(everyday, query.probe) && std::visit(everyday, query.target);
-}
 
 // --- general position -----------------------------------------------------------------------------------------------
 

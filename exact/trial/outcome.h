@@ -36,10 +36,11 @@ inline constexpr std::array all_severities = {Severity::plain, Severity::boundar
 /// `unknown`: it has no exact twin, or did not answer, or its twin was not asked.
 enum class Cause : std::uint8_t { logic, rounding, unknown };
 
-/// In which order findings are reported, the first first: the worst; then those that naive methods get right, which no
-/// excuse of rounding covers; then faults of logic.
+/// In which order findings are reported, the first first: the worst; wrong hits and misses before wrong contacts; then
+/// those that naive methods get right, which no excuse of rounding covers; then faults of logic.
 struct Rank {
   Severity severity = Severity::extreme;
+  bool contact_alone = true;
   bool naive_wrong = true;
   Cause cause = Cause::unknown;
 
