@@ -161,11 +161,11 @@ std::vector<AnswerSheet> read_answers(const std::string& path, const Exam& exam)
   return sheets.complete(path);
 }
 
-Method method_of(const AnswerSheet& sheet, Convention convention) {
+Method method_of(const AnswerSheet& sheet, const Contract& contract) {
   Method method{};
   method.name = sheet.method;
   method.card = {.number = "unknown", .summary = "answers computed elsewhere", .reference = ""};
-  method.contract = {.polygons = Polygons::any, .convention = convention};
+  method.contract = contract;
   return method;
 }
 

@@ -31,7 +31,7 @@ Exam read_exam(const std::string& path, unsigned threads);
 /// answers are missing.
 std::vector<AnswerSheet> read_answers(const std::string& path, const Exam& exam);
 
-/// The sheet as a method that promises the convention: to be judged and reported as one, not to be asked.
-Method method_of(const AnswerSheet& sheet, Convention convention);
+/// The sheet as a method with this contract: to be judged and reported as one, not to be asked.
+Method method_of(const AnswerSheet& sheet, const Contract& contract);
 
 }  // namespace tribunal
