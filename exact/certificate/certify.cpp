@@ -92,7 +92,7 @@ void offer_from_sample(Simplest& simplest, const FuzzPlan& plan, const FuzzRepor
   std::map<std::pair<Slot, Status>, std::size_t> offered;
   std::vector<const Finding*> chosen;
   for (const auto& f : report.findings) {
-    if (f.method == 0 && offered[{slot_of(f.truth), f.answer.status}]++ < shrunk_per_class) chosen.push_back(&f);
+    if (offered[{slot_of(f.truth), f.answer.status}]++ < shrunk_per_class) chosen.push_back(&f);
   }
   Progress progress("shrink", "counterexamples", chosen.size());
   for (const auto* f : chosen) {
@@ -211,6 +211,7 @@ ChainedLog certify(const CertifyPlan& plan) {
   const FuzzPlan sample = sample_plan(plan);
   FuzzReport report = fuzz(sample);
   end_if_interrupted();
+  std::erase_if(report.findings, [](const Finding& f) { return f.method != 0; });
   ask_again(sample, report);
   log_streams(log, sample);
   for (const SampleRow& row : rows_of(sample, report)) log.add(to_record(row));

@@ -81,7 +81,7 @@ struct ScopePart {
 
   void add_wrong(const Method& method, const Truth& truth, Outcome outcome, const Query& query) {
     const Severity severity = severity_of(query, truth);
-    count.add_wrong(severity, quota.cause_of(method, query, truth, outcome, severity));
+    count.add_wrong(severity, quota.cause_of(method, query, truth, outcome, severity, count.wrong));
     keep({query, {slot_of(truth), outcome, severity}});
   }
 

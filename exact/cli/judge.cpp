@@ -91,7 +91,7 @@ int run(const Options& o) {
     sum += all.back().own();
     text += to_summary(all.back());
   }
-  if (sum.judged() == 0) throw bad_input(o.answers, 0, "no answer is \"ok\", nothing to judge");
+  if (sum.judged() == 0) throw bad_input(o.answers, 0, "no answer is \"ok\" and owed, nothing to judge");
   if (!o.out.empty()) text += write_report(o.out, logs, all);
   print(text);
   return code(sum.wrong > 0 ? Exit::disagreement : Exit::ok);

@@ -75,6 +75,17 @@ Status status_at(const Json& object, const Where& where) {
   where.key("status").fail("expected \"ok\", \"nonfinite\", \"unsupported\" or \"failed\", found \"" + name + "\"");
 }
 
+/// Unsaid unless the line says it.
+Contact contact_at(const Json& object, const Where& where) {
+  if (!object.contains("contact")) return Contact::unsaid;
+  const std::string name = text_at(object, "contact", where);
+  for (const Contact c : {Contact::interior, Contact::edge, Contact::vertex, Contact::coplanar}) {
+    if (name == name_of(c)) return c;
+  }
+  where.key("contact").fail("expected \"interior\", \"edge\", \"vertex\" or \"coplanar\" of a hit, found \"" + name +
+                            "\"");
+}
+
 /// The words of an answer that this program writes and does not judge are let through.
 Answer to_answer(const Json& object, const Where& where) {
   require_keys(
@@ -86,7 +97,7 @@ Answer to_answer(const Json& object, const Where& where) {
   }
   const Json& hit = require(object, "hit", where);
   if (hit != 0 && hit != 1) where.key("hit").fail("expected 0 or 1, found " + hit.dump());
-  return hit == 1 ? hit_at(Contact::unsaid) : miss();
+  return hit == 1 ? hit_at(contact_at(object, where)) : miss();
 }
 
 /// Sheets as they fill.
@@ -166,6 +177,7 @@ Method method_of(const AnswerSheet& sheet, const Contract& contract) {
   method.name = sheet.method;
   method.card = {.number = "unknown", .summary = "answers computed elsewhere", .reference = ""};
   method.contract = contract;
+  method.tells_contact = true;  // where it is said
   return method;
 }
 

@@ -103,7 +103,7 @@ void judge_chunk(const FuzzPlan& plan, const Chunk& chunk, std::size_t m, Worker
     if (!is_wrong(outcome)) continue;
     ++worker.wrong;
     const Severity severity = severity_of(trial.query, truth);
-    count.add_wrong(severity, quota.cause_of(method, trial.query, truth, outcome, severity));
+    count.add_wrong(severity, quota.cause_of(method, trial.query, truth, outcome, severity, chunk.first_k + i));
     keep_first(worker.findings, {m, chunk.stream, chunk.first_k + i, trial, truth, answer, outcome, severity});
   }
 }

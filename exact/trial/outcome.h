@@ -57,15 +57,17 @@ Severity severity_of(const Query& query, const Truth& truth);
 Cause cause_of(const Method& method, const Query& query, const Truth& truth, Outcome outcome);
 
 /// Asks the twin about some of many wrong answers, which saves time: about all that are plain; of the others about the
-/// first few of a run of cases, then about a share.
+/// first few of a run of cases, if they are of triangles, whose twins are quick; and about every 17th case, a prime, so
+/// that levels and kinds of probe have their share.
 class TwinQuota {
  public:
-  static constexpr std::uint64_t first = 4, one_in = 16;
+  static constexpr std::uint64_t first = 4, one_in = 17;
 
-  /// `unknown` for those about which it does not ask.
-  Cause cause_of(const Method& method, const Query& query, const Truth& truth, Outcome outcome, Severity severity) {
-    const bool asks = severity == Severity::plain || seen_ < first || seen_ % one_in == 0;
-    ++seen_;
+  /// `unknown` for those about which it does not ask. `k`: the number of the case, or of the wrong answer.
+  Cause cause_of(const Method& method, const Query& query, const Truth& truth, Outcome outcome, Severity severity,
+                 std::uint64_t k) {
+    const bool early = query.operands() == Operands::triangles && seen_++ < first;
+    const bool asks = severity == Severity::plain || early || k % one_in == 0;
     return asks ? tribunal::cause_of(method, query, truth, outcome) : Cause::unknown;
   }
 
