@@ -9,8 +9,8 @@
 
 namespace tribunal {
 
-/// One method's answers, one for each case and in the order of the cases. Only `hit`, `status` and, of hits that say it, the
-/// contact are set.
+/// One method's answers, one for each case and in the order of the cases. Only `hit`, `status` and, of hits that say
+/// it, the contact are set.
 struct AnswerSheet {
   std::string method;
   std::vector<Answer> answers;

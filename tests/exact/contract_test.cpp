@@ -137,8 +137,7 @@ TEST(Contracts, JudgeOneCase) {
     EXPECT_EQ(verdict({.ends = Ends::unspecified}, touching, hit), Outcome::not_owed);
     EXPECT_EQ(verdict({.probes = {.segments = false}}, front, hit), Outcome::not_owed);
     EXPECT_EQ(verdict({.triangles = Triangles::proper}, Segment{{1, 1, 0}, {1, 1, 0}}, hit), Outcome::not_owed);
-    EXPECT_EQ(verdict({.convention = Convention::unspecified}, Segment{{1, 1, 0}, {2, 1, 0}}, hit),
-              Outcome::not_owed);
+    EXPECT_EQ(verdict({.convention = Convention::unspecified}, Segment{{1, 1, 0}, {2, 1, 0}}, hit), Outcome::not_owed);
   }
 }
 
