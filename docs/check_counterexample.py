@@ -32,6 +32,13 @@ def meet(generators, points):
     subsets = (s for n in (1, 2, 3, 4) for s in itertools.combinations(range(len(generators)), n))
     return any(depends([generators[i] for i in s], s, points) for s in subsets)
 
+def is_wrong(finding, due, contact, planar=True):
+    """The answer blamed is the other one, or none (a fault); or the right one with something wrong told beside it."""
+    if finding["expected"] != due: return False
+    if finding.get("outcome") != "wrong contact": return finding.get("answered") != due
+    told = finding["contact_told"], finding.get("planar_told", planar)
+    return finding.get("answered") == due and told != (contact, planar)
+
 def check(case):
     a, b, c = ([number(x) for x in v] for v in case["tri"])
     p, q = ([number(x) for x in v] for v in (case["seg"] if "seg" in case else (case["ray"]["o"], case["ray"]["d"])))
@@ -48,7 +55,8 @@ def check(case):
     finding = case.get("finding", {"exact": None})
     coplanar = exact["abcp"] == exact["abcq"] == 0
     due = int(hit and not (coplanar and finding.get("convention") == "transversal"))
-    return finding["exact"] == exact and case["expect"] == hit and (finding["expected"] == due != finding.get("answered", 1 - due))
+    contact = "coplanar" if coplanar else ("interior", "edge", "vertex", "vertex")[list(map(sign, edges)).count(0)]
+    return finding["exact"] == exact and case["expect"] == hit and is_wrong(finding, due, contact)
 
 def to_case(line):
     case = json.loads(line)

@@ -8,7 +8,7 @@ on a spoke counting half. Cases with "tri" among them are checked as there. Exit
 import sys
 from fractions import Fraction
 
-from check_counterexample import check as check_triangle, cross, det, meet, number, read_cases, report, sign, sub
+from check_counterexample import check as check_triangle, cross, det, is_wrong, meet, number, read_cases, report, sign, sub
 
 def dot(u, v): return sum(a * b for a, b in zip(u, v))
 def edges(rings): return [(ring[i - 1], v) for ring in rings for i, v in enumerate(ring)]
@@ -75,7 +75,7 @@ def check(case):
     hit = exact["contact"] != "none"
     due = int(hit and not (exact["contact"] == "coplanar" and finding.get("convention") == "transversal"))
     if not finding: return case.get("expect", hit) == hit
-    return finding["exact"] == exact and case["expect"] == hit and (finding["expected"] == due != finding.get("answered", 1 - due))
+    return finding["exact"] == exact and case["expect"] == hit and is_wrong(finding, due, **exact)
 
 if __name__ == "__main__":
     report(read_cases(sys.argv[1]) if len(sys.argv) == 2 else sys.exit(__doc__), check)

@@ -74,7 +74,7 @@ void read(Certificate& c, const Json& r, const Where& where) {
     if (c.plan.is_object() && row.method == c.method()) {
       c.rows.push_back(row);
     } else {
-      c.calibration[row.method] += total_of(row);
+      c.calibration[row.method].of(row.format) += total_of(row);
     }
   } else if (kind == "counterexample") {
     c.counterexamples.push_back(require(r, "case", where));
@@ -183,8 +183,8 @@ void add_stage_gaps(Certificate& c) {
 
 /// A sample that cannot make the naive methods fail says nothing about any other.
 void add_calibration_gaps(Certificate& c) {
-  for (const auto& [method, count] : c.calibration) {
-    if (count.wrong == 0) c.gaps.push_back({"calibration", method + " was never wrong on this sample", false});
+  for (const auto& [method, counts] : c.calibration) {
+    if (counts.total().wrong == 0) c.gaps.push_back({"calibration", method + " was never wrong on this sample", false});
   }
 }
 
@@ -221,10 +221,18 @@ void add_probe_gaps(Certificate& c) {
   }
 }
 
-Count total_of_rows(const std::vector<SampleRow>& rows, bool own) {
+Count total_of_rows(const Certificate& c, bool own, Format format) {
   Count total;
-  for (const SampleRow& row : rows) {
-    if ((row.family == own_cases) == own) total += total_of(row);
+  for (const SampleRow& row : c.rows) {
+    if ((row.family == own_cases) == own && row.format == format) total += total_of(row);
+  }
+  return total;
+}
+
+Count total_of_sets(const Certificate& c, bool rays) {
+  Count total;
+  for (const ProvedSet& s : c.proved) {
+    if (s.of_rays == rays) total += s.count;
   }
   return total;
 }
@@ -258,17 +266,38 @@ bool Certificate::has_own() const {
   return std::ranges::any_of(streams, [](const SampledStream& s) { return s.is_own(); });
 }
 
-Count Certificate::sampled(bool rays) const {
+Count Certificate::sampled(bool rays, Format format) const {
   Count total;
   for (const SampleRow& row : this->rows) {
-    if (row.family != own_cases) total += total_of(row, rays);
+    if (row.family != own_cases && row.format == format) total += total_of(row, rays);
   }
   return total;
 }
 
-Count Certificate::sampled() const { return total_of_rows(rows, false); }
+Count Certificate::sampled(bool rays) const {
+  return sampled(rays, Format::binary64) += sampled(rays, Format::binary32);
+}
 
-Count Certificate::own() const { return total_of_rows(rows, true); }
+Count Certificate::sampled(Format format) const { return total_of_rows(*this, false, format); }
+
+Count Certificate::sampled() const { return sampled(Format::binary64) += sampled(Format::binary32); }
+
+Count Certificate::own(Format format) const { return total_of_rows(*this, true, format); }
+
+Count Certificate::own() const { return own(Format::binary64) += own(Format::binary32); }
+
+std::string Certificate::worst() const {
+  std::vector<Counted> counts;
+  for (const bool rays : {false, true}) {
+    counts.push_back({rays ? "rays of whole sets" : "segments of whole sets", total_of_sets(*this, rays)});
+  }
+  for (const Format format : {Format::binary64, Format::binary32}) {
+    const std::string name(tribunal::name_of(format));
+    counts.push_back({"sampled " + name, sampled(format)});
+    counts.push_back({"your own " + name, own(format)});
+  }
+  return headline(counts);
+}
 
 Certificate certificate_from(const LogRecords& log, const std::string& path) {
   Certificate c{};

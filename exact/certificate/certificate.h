@@ -2,6 +2,7 @@
 // records, so whoever has the log can make it again.
 #pragma once
 
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -13,6 +14,9 @@
 #include "exact/trial/coverage.h"
 
 namespace tribunal {
+
+/// Of the log, in its record "plan". Version 1, which does not say so, does not say what wrong answers are.
+inline constexpr std::uint64_t log_version = 2;
 
 /// A set that was run whole.
 struct ProvedSet {
@@ -54,6 +58,15 @@ struct Gap {
   bool explained;
 };
 
+/// Counts of binary64 and of binary32 cases, which no figure adds up.
+struct ByFormat {
+  std::array<Count, 2> counts{};
+
+  Count& of(Format f) { return counts[static_cast<std::size_t>(f)]; }
+  const Count& of(Format f) const { return counts[static_cast<std::size_t>(f)]; }
+  Count total() const { return Count(counts[0]) += counts[1]; }
+};
+
 enum class Verdict { not_refuted, refuted, incomplete };
 
 std::string name_of(Verdict v);
@@ -66,10 +79,10 @@ struct Certificate {
   std::vector<Stage> stages;
   std::vector<ProvedSet> proved;
   std::vector<SampledStream> streams;
-  std::vector<SampleRow> rows;               ///< of the method on trial
-  std::map<std::string, Count> calibration;  ///< of the naive methods on the same sample
-  std::vector<Json> counterexamples;         ///< cases, as counterexamples.jsonl holds them
-  std::string log_head;                      ///< hash of the log's last line
+  std::vector<SampleRow> rows;                  ///< of the method on trial
+  std::map<std::string, ByFormat> calibration;  ///< of the naive methods on the same sample
+  std::vector<Json> counterexamples;            ///< cases, as counterexamples.jsonl holds them
+  std::string log_head;                         ///< hash of the log's last line
 
   // What follows from the members above.
   std::vector<Stratum> strata;
@@ -85,9 +98,16 @@ struct Certificate {
   bool has_own() const;
   /// Whether rays, or segments, are in the method's contract.
   bool takes(bool rays) const { return rays ? contract.probes.rays : contract.probes.segments; }
-  Count sampled() const;           ///< without one's own cases
-  Count sampled(bool rays) const;  ///< of these, the rays or the segments
-  Count own() const;               ///< one's own cases
+  Count sampled() const;                   ///< without one's own cases
+  Count sampled(bool rays) const;          ///< of these, the rays or the segments
+  Count sampled(bool rays, Format) const;  ///< of these, those of one format
+  Count sampled(Format) const;
+  Count own() const;  ///< one's own cases
+  Count own(Format) const;
+  /// Whether the log says what wrong answers are.
+  bool says_outcomes() const { return plan.contains("version"); }
+  /// The worst that there was, by population.
+  std::string worst() const;
 };
 
 /// Fails with Exit::bad_input, naming the line of `path`, if a record is not as it must be.

@@ -54,20 +54,29 @@ void log_counterexample(ChainedLog& log, const Case& c) {
   log.add({{"record", "counterexample"}, {"case", from_case(c)}});
 }
 
-/// The counterexamples of each class or outcome come in the order of preference; the simplest of the first few, shrunk,
-/// is logged.
+/// The counterexamples of each class or outcome come in the order of preference; of the first few, shrunk, the one that
+/// ranks first is logged, or the simplest of these.
 class Simplest {
  public:
   /// `slot`: of the case before it was shrunk, which shrinking keeps.
   void offer(Slot slot, Case c) {
     const auto [entry, fresh] = simplest_.try_emplace({slot, c.finding.value("fault", "")}, c);
-    if (!fresh && is_simpler(c.query, entry->second.query)) entry->second = c;
+    if (!fresh && is_preferable(c, entry->second)) entry->second = c;
   }
   void log_into(ChainedLog& log) const {
-    for (const auto& [key, c] : simplest_) log_counterexample(log, c);
+    std::vector<Case> cases;
+    for (const auto& [key, c] : simplest_) cases.push_back(c);
+    sort_by_rank(cases);
+    for (const Case& c : cases) log_counterexample(log, c);
   }
 
  private:
+  /// Whether the first is rather to be shown: it ranks before the second, or it is simpler.
+  static bool is_preferable(const Case& a, const Case& b) {
+    const Rank of_a = rank_of(a), of_b = rank_of(b);
+    return of_a != of_b ? of_a < of_b : is_simpler(a.query, b.query);
+  }
+
   std::map<std::pair<Slot, std::string>, Case> simplest_;  ///< by slot × fault, if it is one
 };
 
@@ -83,7 +92,7 @@ void offer_from_sample(Simplest& simplest, const FuzzPlan& plan, const FuzzRepor
   std::map<std::pair<Slot, Status>, std::size_t> offered;
   std::vector<const Finding*> chosen;
   for (const auto& f : report.findings) {
-    if (f.method == 0 && offered[{slot_of(f.truth), f.answer.status}]++ < shrunk_per_class) chosen.push_back(&f);
+    if (offered[{slot_of(f.truth), f.answer.status}]++ < shrunk_per_class) chosen.push_back(&f);
   }
   Progress progress("shrink", "counterexamples", chosen.size());
   for (const auto* f : chosen) {
@@ -120,9 +129,13 @@ void log_some(ChainedLog& log, const Method& method, const std::vector<Case>& ca
   for (std::size_t i = 0; i < cases.size(); ++i) {
     if (cases[i].format != format || cases[i].query.operands() != operands) continue;
     const Answer given = takes(method, format) ? answer(i) : refusal(Status::unsupported);
-    const Judgement j = judge(method, truths[i], given);
-    row.counts[slot_of(truths[i])].add(j, given.stage);
-    if (j == Judgement::wrong) wrong.push_back(with_steady_finding(cases[i], method, truths[i], given));
+    const Outcome outcome = takes(method, format) ? judge(method, truths[i], given) : Outcome::not_owed;
+    Count& count = row.counts[slot_of(truths[i])];
+    count.add(outcome, given.stage);
+    if (!is_wrong(outcome)) continue;
+    const Query& query = cases[i].query;
+    count.add_wrong(severity_of(query, truths[i]), cause_of(method, query, truths[i], outcome));
+    wrong.push_back(with_steady_finding(cases[i], method, truths[i], given));
   }
   const std::uint64_t n = total_of(row).asked;
   if (n == 0) return;
@@ -137,6 +150,7 @@ void log_some(ChainedLog& log, const Method& method, const std::vector<Case>& ca
                        {"cases", n}};
   log.add(with_operands(stream, operands));
   log.add(to_record(row));
+  sort_by_rank(wrong);
   for (const Case& c : wrong) log_counterexample(log, c);
 }
 
@@ -170,7 +184,8 @@ void log_plan(ChainedLog& log, const Method& method, Operands operands, const st
                      {"terms", from_contract(method.contract)},
                      {"stages", stages},
                      {"budget", budget},
-                     {"seed", seed}};
+                     {"seed", seed},
+                     {"version", log_version}};
   log.add(with_operands(plan, operands));
   Json made_with = {{"record", "environment"}};
   made_with.update(environment());
@@ -194,8 +209,10 @@ ChainedLog certify(const CertifyPlan& plan) {
   end_if_interrupted();
   for (const ScopeResult& set : sets) log.add(set_record(set));
   const FuzzPlan sample = sample_plan(plan);
-  const FuzzReport report = fuzz(sample);
+  FuzzReport report = fuzz(sample);
   end_if_interrupted();
+  std::erase_if(report.findings, [](const Finding& f) { return f.method != 0; });
+  ask_again(sample, report);
   log_streams(log, sample);
   for (const SampleRow& row : rows_of(sample, report)) log.add(to_record(row));
   Simplest simplest;

@@ -73,7 +73,7 @@ void require_calibration(Debts& debts, const Certificate& c) {
     std::uint64_t due = 0;
     for (const SampledStream& s : c.streams) due += !s.is_own() && takes(m, s.format) ? s.cases : 0;
     const auto found = c.calibration.find(m.name);
-    const std::uint64_t asked = found == c.calibration.end() ? 0 : found->second.asked;
+    const std::uint64_t asked = found == c.calibration.end() ? 0 : found->second.total().asked;
     debts.unless(asked == due, "the calibration by " + m.name + " has " + std::to_string(asked) + " of " +
                                    std::to_string(due) + " cases that are owed");
   }

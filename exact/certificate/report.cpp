@@ -21,7 +21,18 @@ std::string rate_of(const Count& c) {
   return percent(static_cast<double>(c.wrong) / static_cast<double>(c.judged()));
 }
 
-Json to_json(const Count& c) { return {{"asked", c.asked}, {"wrong", c.wrong}, {"unsupported", c.unsupported}}; }
+constexpr Format both_formats[] = {Format::binary64, Format::binary32};
+
+/// Adds what the wrong answers are, where there are any and the log says so.
+void add_outcomes(Json& object, const Count& c) {
+  if (c.wrong > c.unsaid() || c.refused > 0) object.update(outcomes_of(c));
+}
+
+Json to_json(const Count& c) {
+  Json object = {{"asked", c.asked}, {"wrong", c.wrong}, {"unsupported", c.unsupported}};
+  add_outcomes(object, c);
+  return object;
+}
 
 const char* probes_word(bool of_rays) { return of_rays ? "ray" : "segment"; }
 
@@ -46,6 +57,7 @@ Json to_json(const Certificate& c, const Stratum& s) {
   row["n"] = s.count.judged();
   row["k"] = s.count.wrong;
   row["unsupported"] = s.count.unsupported;
+  add_outcomes(row, s.count);
   for (const Stage stage : c.stages) row["from_" + c.word_of(stage)] = s.count.at(stage);
   if (c.is_own(s)) return row;
   row["upper_95"] = upper_bound(s.count.wrong, s.count.judged(), confidence_alpha);
@@ -88,7 +100,14 @@ Json gaps_json(const Certificate& c) {
 
 Json calibration_json(const Certificate& c) {
   Json rows = Json::object();
-  for (const auto& [method, count] : c.calibration) rows[method] = to_json(count);
+  for (const auto& [method, counts] : c.calibration) {
+    if (!c.says_outcomes()) rows[method] = to_json(counts.total());
+    for (const Format format : both_formats) {
+      if (c.says_outcomes() && counts.of(format).asked > 0) {
+        rows[method][std::string(name_of(format))] = to_json(counts.of(format));
+      }
+    }
+  }
   return rows;
 }
 
@@ -126,16 +145,24 @@ Json environment_json(const Certificate& c) {
   return e;
 }
 
+/// One more cell of a row of a table, which older logs have not: what the wrong answers are.
+std::string outcomes_head(const Certificate& c) { return c.says_outcomes() ? " of the wrong |\n" : "\n"; }
+std::string outcomes_rule(const Certificate& c) { return c.says_outcomes() ? "---|\n" : "\n"; }
+std::string outcomes_cell(const Certificate& c, const Count& count) {
+  return c.says_outcomes() ? " " + breakdown(count) + " |\n" : "\n";
+}
+
 const char* classes_word(const Certificate& c) { return c.operands() == Operands::triangles ? "classes" : "outcomes"; }
 
 std::string proved_table(const Certificate& c) {
   std::string text = "| set | probes | cases | " + std::string(classes_word(c)) +
-                     " | wrong | outside the contract | hash of the answers | judged by |\n"
-                     "|---|---|---|---|---|---|---|---|\n";
+                     " | wrong | outside the contract | hash of the answers | judged by |" + outcomes_head(c) +
+                     "|---|---|---|---|---|---|---|---|" + outcomes_rule(c);
   for (const ProvedSet& s : c.proved) {
     text += "| " + s.name + " | " + probes_word(s.of_rays) + "s | " + std::to_string(s.size) + " | " +
             std::to_string(s.classes) + " | " + std::to_string(s.count.wrong) + " | " +
-            std::to_string(s.count.unsupported) + " | " + s.answers_hash + " | " + s.oracles + " |\n";
+            std::to_string(s.count.unsupported) + " | " + s.answers_hash + " | " + s.oracles + " |" +
+            outcomes_cell(c, s.count);
   }
   return text;
 }
@@ -150,9 +177,8 @@ std::string stress_of(const Certificate& c, const SampleRow& row) {
 }
 
 std::string sampled_table(const Certificate& c) {
-  std::string text =
-      "| family | format | probes | stress | cases | wrong | rate | 95 % upper bound |\n"
-      "|---|---|---|---|---|---|---|---|\n";
+  std::string text = "| family | format | probes | stress | cases | wrong | rate | 95 % upper bound |" +
+                     outcomes_head(c) + "|---|---|---|---|---|---|---|---|" + outcomes_rule(c);
   for (const SampleRow& row : c.rows) {
     if (row.family == own_cases) continue;
     for (const bool rays : {false, true}) {
@@ -160,7 +186,8 @@ std::string sampled_table(const Certificate& c) {
       if (count.asked == 0) continue;
       text += "| " + row.family + " | " + std::string(name_of(row.format)) + " | " + probes_word(rays) + "s | " +
               stress_of(c, row) + " | " + std::to_string(count.judged()) + " | " + std::to_string(count.wrong) + " | " +
-              rate_of(count) + " | " + percent(upper_bound(count.wrong, count.judged(), confidence_alpha)) + " |\n";
+              rate_of(count) + " | " + percent(upper_bound(count.wrong, count.judged(), confidence_alpha)) + " |" +
+              outcomes_cell(c, count);
     }
   }
   return text;
@@ -191,12 +218,13 @@ std::string worst_line(const Certificate& c) {
 std::string worst_classes(const Certificate& c, bool own) {
   const std::vector<Stratum> worst = worst_of(c, 20, [&](const Stratum& s) { return c.is_own(s) == own; });
   if (worst.empty()) return c.operands() == Operands::triangles ? "No class had a wrong answer.\n" : "Nowhere.\n";
-  std::string text = "| class | what it is | family | cases | wrong |\n|---|---|---|---|---|\n";
+  std::string text =
+      "| class | what it is | family | cases | wrong |" + outcomes_head(c) + "|---|---|---|---|---|" + outcomes_rule(c);
   for (const Stratum& s : worst) {
     const SampledStream& stream = c.streams[s.stream];
     text += "| " + slot_name(s.slot) + " | " + slot_description(s.slot) + " | " + stream.family + " " +
             std::string(name_of(stream.format)) + " | " + std::to_string(s.count.judged()) + " | " +
-            std::to_string(s.count.wrong) + " |\n";
+            std::to_string(s.count.wrong) + " |" + outcomes_cell(c, s.count);
   }
   return text;
 }
@@ -205,16 +233,24 @@ std::string coverage_text(const Certificate& c) {
   return c.coverage.to_text(c.stages, [&](Stage stage) { return c.word_of(stage); });
 }
 
-std::string stages_table(const Certificate& c) {
-  if (c.stages.empty()) return "";
-  const Count total = c.sampled();
-  std::string text = "Answers by stage:";
+std::string stages_line(const Certificate& c, const std::string& title, const Count& total) {
+  std::string text = title;
   for (const Stage stage : c.stages) {
     const double share =
         total.judged() == 0 ? 0 : static_cast<double>(total.at(stage)) / static_cast<double>(total.judged());
     text += " " + c.word_of(stage) + " " + std::to_string(total.at(stage)) + " (" + percent(share) + ")";
   }
   return text + ".\n\n";
+}
+
+std::string stages_table(const Certificate& c) {
+  if (c.stages.empty()) return "";
+  if (!c.says_outcomes()) return stages_line(c, "Answers by stage:", c.sampled());
+  std::string text;
+  for (const Format format : both_formats) {
+    text += stages_line(c, "Answers by stage, " + std::string(name_of(format)) + ":", c.sampled(format));
+  }
+  return text;
 }
 
 std::string populations(const Certificate& c) {
@@ -242,12 +278,20 @@ std::string gaps_list(const Certificate& c) {
                                              : "polygons with more than three vertices.\n");
 }
 
+std::string calibration_line(const std::string& what, const Count& count) {
+  return "- " + what + ": " + std::to_string(count.wrong) + " wrong of " + std::to_string(count.judged()) + " (" +
+         rate_of(count) + ")\n";
+}
+
 std::string calibration_list(const Certificate& c) {
   if (c.calibration.empty()) return "None: the cases are not ours.\n";
   std::string text = "The same sample must make naive arithmetic fail:\n\n";
-  for (const auto& [method, count] : c.calibration) {
-    text += "- " + method + ": " + std::to_string(count.wrong) + " wrong of " + std::to_string(count.judged()) + " (" +
-            rate_of(count) + ")\n";
+  for (const auto& [method, counts] : c.calibration) {
+    if (!c.says_outcomes()) text += calibration_line(method, counts.total());
+    for (const Format format : both_formats) {
+      if (!c.says_outcomes() || counts.of(format).asked == 0) continue;
+      text += calibration_line(method + ", " + std::string(name_of(format)), counts.of(format));
+    }
   }
   return text;
 }
@@ -268,11 +312,16 @@ std::string sampled_section(const Certificate& c) {
          worst_classes(c, false) + "\nPopulations:\n\n" + populations(c) + "\n";
 }
 
+std::string after_semicolon(const std::string& text) { return text.empty() ? "" : "; " + text; }
+
 /// "1 wrong of 12 (8.33 %); 3 outside the contract"
 std::string wrong_of(const Count& count) {
   return std::to_string(count.wrong) + " wrong of " + std::to_string(count.judged()) + " (" + rate_of(count) + ")" +
          (count.unsupported == 0 ? "" : "; " + std::to_string(count.unsupported) + " outside the contract");
 }
+
+/// The same, and what the wrong answers are.
+std::string with_breakdown(const Count& count) { return wrong_of(count) + after_semicolon(breakdown(count)); }
 
 Count total_of(const Certificate& c, std::size_t stream) {
   Count total;
@@ -287,8 +336,9 @@ std::string own_section(const Certificate& c) {
   for (std::size_t i = 0; i < c.streams.size(); ++i) {
     const SampledStream& s = c.streams[i];
     if (!s.is_own()) continue;
-    text +=
-        "- " + std::string(name_of(s.format)) + ": " + wrong_of(total_of(c, i)) + "; judged by " + s.judged_by + "\n";
+    text += "- " + std::string(name_of(s.format)) + ": " +
+            (c.says_outcomes() ? with_breakdown(total_of(c, i)) : wrong_of(total_of(c, i))) + "; judged by " +
+            s.judged_by + "\n";
   }
   return text + "\nWhere it was wrong:\n\n" + worst_classes(c, true) + "\n";
 }
@@ -312,6 +362,14 @@ std::string fault_lines(const Certificate& c, const std::string& before) {
   return text;
 }
 
+std::string sampled_line(const Certificate& c, bool rays, Format format) {
+  const Count sampled = c.sampled(rays, format);
+  if (sampled.asked == 0) return "";
+  return std::string("  sampled  ") + (rays ? "rays, " : "segments, ") + std::string(name_of(format)) + ": " +
+         with_breakdown(sampled) + "; 95 % upper bound " +
+         percent(upper_bound(sampled.wrong, sampled.judged(), confidence_alpha)) + " on these populations\n";
+}
+
 const char* coverage_word(const Certificate& c) { return c.coverage.has(Operands::polygons) ? "Polygons" : "Classes"; }
 
 std::string word(const Certificate& c, const char* key) { return c.plan[key]; }
@@ -324,6 +382,7 @@ Json to_json(const Certificate& c) {
   object["convention"] = name_of(c.contract.convention);
   object["contract"] = in_words(c.contract);
   object["verdict"] = name_of(c.verdict);
+  if (c.says_outcomes()) object["worst"] = c.worst();
   const bool polygons = c.coverage.has(Operands::polygons);
   if (!polygons || c.coverage.has(Operands::triangles)) {
     object["classes_judged"] = classes_json(c, slot_groups(Operands::triangles)[0]);
@@ -344,7 +403,8 @@ Json to_json(const Certificate& c) {
 }
 
 std::string to_markdown(const Certificate& c) {
-  std::string text = "# " + c.method() + ": " + name_of(c.verdict) + "\n\n";
+  std::string text =
+      "# " + c.method() + ": " + name_of(c.verdict) + (c.says_outcomes() ? "; " + c.worst() : "") + "\n\n";
   text += "Contract: " + in_words(c.contract) + ". Convention: " + std::string(name_of(c.contract.convention)) +
           ". Budget " + word(c, "budget") + ", seed " + c.plan["seed"].dump() + ". " + coverage_word(c) +
           " judged: " + coverage_text(c) + ".\n\n";
@@ -360,19 +420,19 @@ std::string to_markdown(const Certificate& c) {
 }
 
 std::string to_summary(const Certificate& c) {
-  std::string text = c.method() + ": " + name_of(c.verdict) + "\n";
+  std::string text = c.method() + ": " + name_of(c.verdict) + "; " + c.worst() + "\n";
   for (const ProvedSet& s : c.proved) {
     text += (s.count.wrong == 0 ? "  proved   " : "  refuted  ") + s.name + ": " + std::to_string(s.count.wrong) +
             " wrong of " + std::to_string(s.count.judged()) + ", " + std::to_string(s.classes) + " " + classes_word(c) +
-            "\n";
+            after_semicolon(breakdown(s.count)) + "\n";
   }
   for (const bool rays : {false, true}) {
-    const Count sampled = c.sampled(rays);
-    if (sampled.asked == 0) continue;
-    text += std::string("  sampled  ") + (rays ? "rays: " : "segments: ") + wrong_of(sampled) + "; 95 % upper bound " +
-            percent(upper_bound(sampled.wrong, sampled.judged(), confidence_alpha)) + " on these populations\n";
+    for (const Format format : both_formats) text += sampled_line(c, rays, format);
   }
-  if (c.has_own()) text += "  own      " + wrong_of(c.own()) + "\n";
+  for (const Format format : both_formats) {
+    const Count own = c.own(format);
+    if (own.asked > 0) text += "  own      " + std::string(name_of(format)) + ": " + with_breakdown(own) + "\n";
+  }
   text += fault_lines(c, "  FAULT    ") + worst_line(c);
   text += (c.coverage.has(Operands::polygons) ? "  judged   " : "  classes  ") + coverage_text(c) + "\n";
   for (const Gap& g : c.gaps) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <bitset>
+#include <set>
+#include <tuple>
 #include <utility>
 
 #include "exact/certificate/small_scope.h"
@@ -21,20 +23,28 @@ struct Hash {
 /// What one worker or block has found.
 struct ScopePart {
   using Slots = std::bitset<2048>;
+  using Kind = std::tuple<Slot, Outcome, Severity>;
+
+  struct WrongCase {
+    Query query;
+    Kind kind;
+  };
 
   Count count{};
-  Slots judged{}, wrong_slots{};
+  Slots judged{};
   Hash hash{};
-  std::vector<Query> wrong{};
+  std::set<Kind> kinds{};          ///< of wrong answers that came up
+  std::vector<WrongCase> wrong{};  ///< the first of each
+  TwinQuota quota{};
 
-  /// Files the answer to a case; `query` makes the case, should it be worth keeping.
+  /// Files the answer to a case; `query` makes the case, should it be wrong.
   template <class MakeQuery>
   void add(const Method& method, const Truth& truth, const Answer& answer, const MakeQuery& query) {
-    const Judgement j = judge(method, truth, answer);
-    count.add(j, answer.stage);
-    if (j != Judgement::unsupported) judged.set(slot_of(truth));
+    const Outcome outcome = judge(method, truth, answer);
+    count.add(outcome, answer.stage);
+    if (is_judged(outcome)) judged.set(slot_of(truth));
     hash.add(byte_of(answer));
-    if (j == Judgement::wrong) keep(slot_of(truth), query);
+    if (is_wrong(outcome)) add_wrong(method, truth, outcome, query());
   }
 
   /// Adds a block's findings; blocks come in order.
@@ -42,9 +52,7 @@ struct ScopePart {
     count += block.count;
     judged |= block.judged;
     hash.add(block.hash.state);
-    for (const auto& query : block.wrong) {
-      keep(slot_of(exact_truth(query)), [&] { return query; });
-    }
+    for (const WrongCase& c : block.wrong) keep(c);
   }
 
   ScopeResult result(const SetDescription& set, std::string oracles) const {
@@ -56,20 +64,29 @@ struct ScopePart {
             .count = count,
             .classes = static_cast<int>(judged.count()),
             .complete = count.asked == set.size,
-            .wrong = wrong};
+            .wrong = queries()};
   }
 
  private:
+  std::vector<Query> queries() const {
+    std::vector<Query> list;
+    for (const WrongCase& c : wrong) list.push_back(c.query);
+    return list;
+  }
+
   static std::uint8_t byte_of(const Answer& answer) {
     if (answer.status == Status::ok) return answer.hit ? 1 : 0;
     return is_fault(answer.status) ? 3 : 2;
   }
 
-  template <class MakeQuery>
-  void keep(Slot slot, const MakeQuery& query) {
-    if (wrong_slots.test(slot)) return;
-    wrong_slots.set(slot);
-    wrong.push_back(query());
+  void add_wrong(const Method& method, const Truth& truth, Outcome outcome, const Query& query) {
+    const Severity severity = severity_of(query, truth);
+    count.add_wrong(severity, quota.cause_of(method, query, truth, outcome, severity, count.wrong));
+    keep({query, {slot_of(truth), outcome, severity}});
+  }
+
+  void keep(const WrongCase& c) {
+    if (kinds.insert(c.kind).second) wrong.push_back(c);
   }
 };
 

@@ -19,7 +19,7 @@ struct ScopeResult {
   Count count{};
   int classes = 0;       ///< of all classes, or of the outcomes of polygons, how many the method answered cases of
   bool complete = true;  ///< false if interrupted
-  std::vector<Query> wrong{};  ///< the first of each class or outcome, in the set's order
+  std::vector<Query> wrong{};  ///< the first of each class (or exact contact) × outcome × severity, in the set's order
 };
 
 /// What a set is called, and how many cases it has: known before it is run, so that a log can be held to it.

@@ -17,14 +17,27 @@ void compare(Verification& v, const std::string& path, const std::string& due) {
   if (read_file(path) != due) v.faults.push_back(path + " is not what the log gives");
 }
 
+/// What it answered is wrong as the finding says: the other answer, or a wrong contact of a hit; or no answer.
+bool is_wrong_as_said(const Json& finding, const Truth& truth) {
+  const Due owed = due(readings_in(finding, {"log.jsonl"}), truth);
+  const int expected = owed == Due::hit ? 1 : 0, answered = finding.value("answered", -1);
+  if (finding.value("expected", -1) != expected) return false;
+  if (finding.contains("fault")) return answered == -1;
+  if (owed == Due::nothing) return false;
+  if (finding.value("outcome", "") != name_of(Outcome::wrong_contact)) return answered == 1 - expected;
+  return answered == expected && (finding.value("contact_told", "") != name_of(truth.contact) ||
+                                  finding.value("planar_told", truth.planar) != truth.planar);
+}
+
+/// Older findings do not say how bad they are.
+bool is_as_bad_as_said(const Json& finding, const Query& query, const Truth& truth) {
+  return !finding.contains("severity") || finding["severity"] == name_of(severity_of(query, truth));
+}
+
 bool is_counterexample(const Case& c) {
-  const auto truth = exact_truth(c.query);
-  const Due owed = due(readings_in(c.finding, {"log.jsonl"}), truth);
-  const int expected = owed == Due::hit ? 1 : 0;
-  return mistaken_claim(c, truth).empty() && c.finding.value("expected", -1) == expected &&
-         (c.finding.contains("fault") ? !c.finding.contains("answered")
-                                      : owed != Due::nothing && c.finding.value("answered", -1) == 1 - expected) &&
-         c.finding.value("exact", Json()) == exact_evidence(c.query);
+  const Truth truth = exact_truth(c.query);
+  return mistaken_claim(c, truth).empty() && is_wrong_as_said(c.finding, truth) &&
+         is_as_bad_as_said(c.finding, c.query, truth) && c.finding.value("exact", Json()) == exact_evidence(c.query);
 }
 
 /// Confirms a counterexample by the oracles alone; the method is not asked.

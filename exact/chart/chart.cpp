@@ -77,11 +77,11 @@ const ChartRow* drawn_row(const Chart& chart, std::size_t method, std::size_t po
 
 std::string cells_of(const ChartRow& r) {
   char text[120], spread[40];
-  const std::string refused =
+  const std::string unjudged =
       r.count.unsupported == 0 ? "" : std::to_string(100 * r.count.unsupported / r.count.asked) + " %";
   std::snprintf(spread, sizeof spread, "%.1f - %.1f", r.time.lower_quartile, r.time.upper_quartile);
-  std::snprintf(text, sizeof text, " %8.1f %18s %20s %8s", r.time.median, spread, to_text(r.count).c_str(),
-                refused.c_str());
+  std::snprintf(text, sizeof text, " %8s %8.1f %18s %20s %10s", std::string(name_of(r.format)).c_str(), r.time.median,
+                spread, to_text(r.count).c_str(), unjudged.c_str());
   return text;
 }
 
@@ -106,8 +106,8 @@ std::string to_table(const ChartPlan& plan, const Chart& chart) {
   for (std::size_t p = 0; p < all_populations().size(); ++p) {
     const Population& population = all_populations()[p];
     text += std::string(population.title) + ": " + std::string(population.about) + "\n";
-    std::snprintf(line, sizeof line, "  %-22s %8s %18s %20s %8s\n", "method", "ns/test", "quartiles", "wrong",
-                  "refused");
+    std::snprintf(line, sizeof line, "  %-22s %8s %8s %18s %20s %10s\n", "method", "cases", "ns/test", "quartiles",
+                  "wrong", "not judged");
     text += line;
     for (std::size_t m = 0; m < plan.methods.size(); ++m) {
       const ChartRow* row = drawn_row(chart, m, p);

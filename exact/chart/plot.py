@@ -108,15 +108,15 @@ def label_points(ax, rows):
 
 
 def caption(panels, rows):
-    """Cases and hits of a panel, and what some methods refused there."""
+    """Cases and hits of a panel, and what some methods were not judged on."""
     hits = ", ".join(f"{100 * p['hits'] / p['cases']:.1f} % hits in {p['fmt']}" for p in panels)
     cases = f"{max(p['cases'] for p in panels):,} cases" + (" each" if len(panels) > 1 else "")
-    refused = {}
+    unjudged = {}
     for r in rows:
-        if r["answers"]["refused"]:
-            share = f"{100 * r['answers']['refused'] / r['answers']['asked']:.0f} %"
-            refused.setdefault(share, []).append(r["method"])
-    notes = [f"{', '.join(methods)}: {share} refused, judged on the rest" for share, methods in refused.items()]
+        if r["answers"]["unsupported"]:
+            share = f"{100 * r['answers']['unsupported'] / r['answers']['asked']:.0f} %"
+            unjudged.setdefault(share, []).append(r["method"])
+    notes = [f"{', '.join(methods)}: {share} outside the contract, judged on the rest" for share, methods in unjudged.items()]
     return "\n".join([hits + "; " + cases] + notes)
 
 

@@ -4,6 +4,7 @@
 
 #include "exact/base/json.h"
 #include "exact/certificate/bounds.h"
+#include "exact/record/sample_row.h"
 
 namespace tribunal {
 namespace {
@@ -25,9 +26,17 @@ Rate rate_of(const Count& count) {
 
 Json to_json(const Count& count) {
   const Rate rate = rate_of(count);
-  return {{"asked", count.asked}, {"refused", count.unsupported}, {"judged", rate.judged},
-          {"wrong", rate.wrong},  {"share", rate.share},          {"lower", rate.lower},
-          {"upper", rate.upper},  {"bound", rate.is_bound()},     {"drawn", rate.drawn()}};
+  Json object = outcomes_of(count);
+  object.update({{"asked", count.asked},
+                 {"unsupported", count.unsupported},
+                 {"judged", rate.judged},
+                 {"wrong", rate.wrong},
+                 {"share", rate.share},
+                 {"lower", rate.lower},
+                 {"upper", rate.upper},
+                 {"bound", rate.is_bound()},
+                 {"drawn", rate.drawn()}});
+  return object;
 }
 
 std::string to_text(const Count& count) {

@@ -18,7 +18,7 @@ struct Rate {
 
 Rate rate_of(const Count& count);
 
-/// asked, refused, judged, wrong, share, lower, upper, bound, drawn.
+/// asked, unsupported, judged, wrong, share, lower, upper, bound, drawn; and what the wrong answers are.
 Json to_json(const Count& count);
 
 /// "0.021 %", or "0 (<= 0.006 %)" for none.

@@ -13,6 +13,7 @@
 #include "exact/record/checkpoint.h"
 #include "exact/record/counterexample.h"
 #include "exact/record/environment.h"
+#include "exact/record/sample_row.h"
 #include "exact/trial/coverage.h"
 
 namespace tribunal {
@@ -77,8 +78,8 @@ std::string table(const FuzzPlan& plan, const FuzzReport& report, bool levels) {
   const int width = plan.operands() == Operands::triangles ? 9 : 17;
   std::string text;
   char line[200];
-  std::snprintf(line, sizeof line, "%-22s %-*s %-9s %6s %12s %10s  %s\n", "method", width, "family", "format",
-                levels ? "level" : "", "judged", "wrong", "share");
+  std::snprintf(line, sizeof line, "%-22s %-*s %-9s %6s %12s %10s  %-10s  %s\n", "method", width, "family", "format",
+                levels ? "level" : "", "judged", "wrong", "share", "of these");
   text += line;
   for (const auto& [row, count] : rows_of(report, levels)) {
     const Stream& s = plan.streams[row.stream];
@@ -86,12 +87,31 @@ std::string table(const FuzzPlan& plan, const FuzzReport& report, bool levels) {
     const double share =
         count.judged() == 0 ? 0 : static_cast<double>(count.wrong) / static_cast<double>(count.judged());
     std::snprintf(
-        line, sizeof line, "%-22s %-*s %-9s %6s %12llu %10llu  %.4f %%\n", plan.methods[row.method].name.c_str(), width,
+        line, sizeof line, "%-22s %-*s %-9s %6s %12llu %10llu  %8.4f %%", plan.methods[row.method].name.c_str(), width,
         std::string(s.family->name).c_str(), std::string(name_of(s.format)).c_str(), level.c_str(),
         static_cast<unsigned long long>(count.judged()), static_cast<unsigned long long>(count.wrong), 100 * share);
-    text += line;
+    const std::string of_these = breakdown(count);
+    text += line + (of_these.empty() ? "" : "  " + of_these) + "\n";
   }
   return text;
+}
+
+/// The worst of each method, first of all; formats apart.
+std::string verdicts(const FuzzPlan& plan, const FuzzReport& report) {
+  std::map<std::pair<std::size_t, Format>, Count> totals;
+  report.counts.for_each([&](const Cell& c, const Count& count) {
+    totals[{c.method, plan.streams[c.stream].format}] += count;
+  });
+  std::string text;
+  for (std::size_t m = 0; m < plan.methods.size(); ++m) {
+    std::vector<Counted> counts;
+    for (const Format format : {Format::binary64, Format::binary32}) {
+      if (const Count& total = totals[{m, format}]; total.asked > 0)
+        counts.push_back({std::string(name_of(format)), total});
+    }
+    text += plan.methods[m].name + ": " + headline(counts) + "\n";
+  }
+  return text + "\n";
 }
 
 Json coverage_json(const FuzzPlan& plan, const FuzzReport& report) {
@@ -157,6 +177,7 @@ Json summary(const FuzzPlan& plan, const FuzzReport& report) {
                     {"asked", count.asked},
                     {"wrong", count.wrong},
                     {"unsupported", count.unsupported}});
+    if (count.wrong > 0 || count.refused > 0) rows.back().update(outcomes_of(count));
   }
   return {{"seed", plan.seed},
           {"cases", report.cases},
@@ -166,7 +187,7 @@ Json summary(const FuzzPlan& plan, const FuzzReport& report) {
           {"environment", environment()}};
 }
 
-/// The first findings of each method, and the first of each kind of fault.
+/// The findings of each method that rank first, and the first of each kind of fault; shrinking may raise a rank.
 std::vector<Case> counterexamples(const FuzzPlan& plan, const FuzzReport& report, std::size_t keep) {
   std::vector<Case> cases;
   std::vector<std::size_t> kept(plan.methods.size());
@@ -175,6 +196,7 @@ std::vector<Case> counterexamples(const FuzzPlan& plan, const FuzzReport& report
     const bool first_of_fault = f.fault && faults.at({f.method, f.fault.kind}).first == &f;
     if (kept[f.method]++ < keep || first_of_fault) cases.push_back(to_counterexample(plan, f));
   }
+  sort_by_rank(cases);
   return cases;
 }
 
@@ -216,7 +238,8 @@ int run(const Options& o, const FuzzPlan& plan) {
   FuzzReport report = run_plan(o, plan);
   ask_again(plan, report);
   if (report.cases == 0) throw Failure(Exit::resources, "no case was run");
-  print(table(plan, report, o.levels) + coverage(plan, report) + fault_lines(plan, report) + totals(plan, report));
+  print(verdicts(plan, report) + table(plan, report, o.levels) + coverage(plan, report) + fault_lines(plan, report) +
+        totals(plan, report));
   const bool complete = is_complete(plan, report);
   if (!complete) {
     print("INTERRUPTED after " + std::to_string(report.cases) + " of " + std::to_string(plan.cases) + " cases" +

@@ -18,13 +18,37 @@ struct Options {
   unsigned threads = 1;
 };
 
-Convention convention_of(const Options& o) {
-  return o.convention == name_of(Convention::closed) ? Convention::closed : Convention::transversal;
+/// What the answers may promise, by the word that says it. Beside `closed` and `transversal` these are readings of the
+/// boundary, of triangles and of rings alike.
+struct Promise {
+  std::string word;
+  Convention convention = Convention::closed;
+  Boundary boundary = Boundary::closed;
+};
+
+const std::vector<Promise>& promises() {
+  static const std::vector<Promise> table = {{"closed"},
+                                             {"transversal", Convention::transversal},
+                                             {"open", Convention::transversal, Boundary::open},
+                                             {"half-open", Convention::transversal, Boundary::half_open}};
+  return table;
+}
+
+std::vector<std::string> promise_words() {
+  std::vector<std::string> words;
+  for (const Promise& p : promises()) words.push_back(p.word);
+  return words;
+}
+
+Contract contract_of(const Options& o) {
+  const Promise& p = *std::ranges::find(promises(), o.convention, &Promise::word);
+  return {
+      .polygons = Polygons::any, .convention = p.convention, .boundary = p.boundary, .polygon_boundary = p.boundary};
 }
 
 /// The log of a trial that consists of these cases and answers. It is about triangles if there are any.
-ChainedLog log_of(const Exam& exam, const AnswerSheet& sheet, Convention convention) {
-  const Method method = method_of(sheet, convention);
+ChainedLog log_of(const Exam& exam, const AnswerSheet& sheet, const Contract& contract) {
+  const Method method = method_of(sheet, contract);
   const bool triangles =
       std::ranges::any_of(exam.truths, [](const Truth& t) { return t.operands() == Operands::triangles; });
   ChainedLog log;
@@ -62,12 +86,12 @@ int run(const Options& o) {
   std::string text;
   Count sum;
   for (const AnswerSheet& sheet : read_answers(o.answers, exam)) {
-    logs.push_back(log_of(exam, sheet, convention_of(o)));
+    logs.push_back(log_of(exam, sheet, contract_of(o)));
     all.push_back(certificate_from(logs.back().so_far(), o.answers));
     sum += all.back().own();
     text += to_summary(all.back());
   }
-  if (sum.judged() == 0) throw bad_input(o.answers, 0, "no answer is \"ok\", nothing to judge");
+  if (sum.judged() == 0) throw bad_input(o.answers, 0, "no answer is \"ok\" and owed, nothing to judge");
   if (!o.out.empty()) text += write_report(o.out, logs, all);
   print(text);
   return code(sum.wrong > 0 ? Exit::disagreement : Exit::ok);
@@ -79,8 +103,12 @@ Action declare_judge(Arguments& arguments) {
   const auto o = std::make_shared<Options>();
   arguments.option("--cases", o->cases, "case file (JSON Lines); - is standard input").required();
   arguments.option("--answers", o->answers, "answer file (JSON Lines), one answer a case and method").required();
-  arguments.option("--convention", o->convention, "what the answers promise of coplanar contacts")
-      .one_of({"closed", "transversal"})
+  arguments
+      .option("--convention", o->convention,
+              "what the answers promise: closed; transversal (coplanar contacts are misses); open (so are contacts "
+              "with the "
+              "boundary); half-open (transversal, and nothing is promised of the boundary of a face alone)")
+      .one_of(promise_words())
       .shows_default();
   add_threads_option(arguments, o->threads);
   arguments.option("--out", o->out,

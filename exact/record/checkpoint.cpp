@@ -7,6 +7,7 @@
 #include "exact/base/files.h"
 #include "exact/record/chain.h"
 #include "exact/record/sample_row.h"
+#include "exact/trial/judge.h"
 
 namespace tribunal {
 namespace {
@@ -20,7 +21,11 @@ Json plan_record(const FuzzPlan& plan) {
 }
 
 Json finding_record(const Finding& f) {
-  Json record = {{"record", "finding"}, {"method", f.method}, {"stream", f.stream}, {"case", f.k}};
+  Json record = {{"record", "finding"},
+                 {"method", f.method},
+                 {"stream", f.stream},
+                 {"case", f.k},
+                 {"outcome", name_of(f.outcome)}};
   if (is_fault(f.answer.status)) record["fault"] = fault_name(f.answer.status);
   return record;
 }
@@ -33,6 +38,12 @@ Answer answer_of(const Method& method, const Query& query, const Json& record, c
   return refusal(fault);
 }
 
+Outcome outcome_of(const Json& record, const Where& where) {
+  const auto outcome = outcome_named(string_of(record, "outcome", where));
+  if (!outcome) where.key("outcome").fail("no such outcome of a wrong answer");
+  return *outcome;
+}
+
 /// Case and answer are made again from their numbers.
 Finding finding_from(const FuzzPlan& plan, const Json& record, const Where& where) {
   const std::size_t method = number_of(record, "method", where), stream = number_of(record, "stream", where);
@@ -40,7 +51,11 @@ Finding finding_from(const FuzzPlan& plan, const Json& record, const Where& wher
   const std::uint64_t k = number_of(record, "case", where);
   const Stream& source = plan.streams[stream];
   const Trial trial = source.family->make(source.format, plan.seed, k);
-  return {method, stream, k, trial, truth_of(trial, k), answer_of(plan.methods[method], trial.query, record, where)};
+  const Truth truth = truth_of(trial, k);
+  const Answer answer = answer_of(plan.methods[method], trial.query, record, where);
+  const Outcome outcome =
+      record.contains("outcome") ? outcome_of(record, where) : judge(plan.methods[method], truth, answer);
+  return {method, stream, k, trial, truth, answer, outcome, severity_of(trial.query, truth)};
 }
 
 void add_row(const FuzzPlan& plan, FuzzReport& report, const SampleRow& row, const Where& where) {

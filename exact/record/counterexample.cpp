@@ -1,5 +1,6 @@
 #include "exact/record/counterexample.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "exact/base/failure.h"
@@ -34,9 +35,45 @@ Json every_answer(const Case& c, const Truth& truth, const Method& on_trial, con
   return answers;
 }
 
+/// Naive methods in binary64, Segura–Feito and Möller–Trumbore, which a sound test should not fall behind.
+std::vector<Method> naive_beside(const Method& on_trial) {
+  std::vector<Method> naive;
+  for (const Role role : {Role::calibration, Role::charted}) {
+    for (const Method& m : methods_with(role)) {
+      const bool known = std::ranges::any_of(naive, [&](const Method& n) { return n.name == m.name; });
+      if (!known && m.contract.format == Format::binary64 && m.name != on_trial.name) naive.push_back(m);
+    }
+  }
+  return naive;
+}
+
+/// None of them is wrong. Of polygons, those that take none say nothing.
+bool naive_are_right(const Method& on_trial, const Query& query, const Truth& truth) {
+  return std::ranges::none_of(naive_beside(on_trial),
+                              [&](const Method& m) { return is_wrong(judge(m, truth, try_ask(m, query).answer)); });
+}
+
+/// What the answer is and why, by words that `rank_of` reads.
+void add_verdict(Json& finding, const Method& method, const Query& query, const Truth& truth, const Answer& answer) {
+  const Outcome outcome = judge(method, truth, answer);
+  const Severity severity = severity_of(query, truth);
+  const Cause cause = is_wrong(outcome) ? cause_of(method, query, truth, outcome) : Cause::unknown;
+  finding["outcome"] = name_of(outcome);
+  finding["severity"] = name_of(severity);
+  finding["cause"] = name_of(cause);
+  finding["naive_right"] = naive_are_right(method, query, truth);
+  finding["in_words"] = in_words(outcome, severity, cause);
+  if (outcome == Outcome::wrong_contact) {
+    finding["contact_told"] = name_of(answer.contact);
+    finding["contact"] = name_of(truth.contact);
+    if (answer.planar != truth.planar) finding["planar_told"] = answer.planar;
+  }
+}
+
 Json finding_of(const Case& c, const Method& method, const Truth& truth, const Answer& answer) {
   Json finding;
   finding["method"] = method.name;
+  add_verdict(finding, method, c.query, truth, answer);
   if (!is_fault(answer.status)) finding["answered"] = answer.hit ? 1 : 0;
   finding["expected"] = due(method.contract, truth) == Due::hit ? 1 : 0;
   add_readings(finding, method.contract);
@@ -62,7 +99,7 @@ Case with_fault(Case c, const Method& method, const Truth& truth, const Fault& f
 /// What the method does on a query that it answered wrongly before: it is a fault if it now answers otherwise.
 Asked observe_wrong(const Method& method, const Query& query, const Truth& truth) {
   Asked seen = observe(method, query);
-  const bool right_now = judge(method, truth, seen.answer) != Judgement::wrong;
+  const bool right_now = !is_wrong(judge(method, truth, seen.answer));
   if (!seen.fault && right_now) seen.fault = Fault{Status::differs_when_repeated};
   return seen;
 }
@@ -95,6 +132,13 @@ std::string row(const std::string& a, const std::string& b, const std::string& c
   return line;
 }
 
+/// "WRONG: false hit, rounding"
+std::string wrong_in_words(const Method& method, const Query& query, const Truth& truth, Outcome outcome) {
+  const Cause cause = cause_of(method, query, truth, outcome);
+  const std::string text = "WRONG: " + std::string(name_of(outcome));
+  return cause == Cause::unknown ? text : text + ", " + std::string(name_of(cause));
+}
+
 /// How one method did on a case, and whether that was wrong.
 std::string verdict_of(const Method& method, const Case& c, const Truth& truth, bool& wrong) {
   const Asked seen = observe(method, c.query, blames_a_fault(c.finding) ? times_for_known_fault : 1);
@@ -109,10 +153,10 @@ std::string verdict_of(const Method& method, const Case& c, const Truth& truth, 
     return row(method.name, answer.hit ? "hit" : "no hit", std::string(name_of(answer.contact)), verdict);
   };
   if (!takes(method, c.format)) return says("not judged: operands are binary64");
-  const Judgement judgement = judge(method, truth, given);
-  wrong |= judgement == Judgement::wrong;
-  if (judgement == Judgement::unsupported) return says("not judged: outside its contract");
-  if (judgement == Judgement::wrong) return says("WRONG");
+  const Outcome outcome = judge(method, truth, given);
+  wrong |= is_wrong(outcome);
+  if (!is_judged(outcome)) return says("not judged: outside its contract");
+  if (is_wrong(outcome)) return says(wrong_in_words(method, c.query, truth, outcome).c_str());
   if (answer.hit == truth.hit()) return says("right");
   return says(truth.contact == Contact::coplanar ? "right by its convention (coplanar is a miss)"
                                                  : "right by its contract (such a contact is a miss)");
@@ -158,15 +202,35 @@ Case to_counterexample(const FuzzPlan& plan, const Finding& f) {
 
 void ask_again(const FuzzPlan& plan, FuzzReport& report) {
   for (Finding& f : report.findings) {
+    const Method& method = plan.methods[f.method];
     f.fault = {f.answer.status};
-    if (!f.fault) f.fault = observe_wrong(plan.methods[f.method], f.trial.query, f.truth).fault;
+    if (!f.fault) f.fault = observe_wrong(method, f.trial.query, f.truth).fault;
+    f.cause = f.fault ? Cause::unknown : cause_of(method, f.trial.query, f.truth, f.outcome);
+    f.naive_right = naive_are_right(method, f.trial.query, f.truth);
   }
+  std::ranges::stable_sort(report.findings, {}, &Finding::rank);
 }
+
+Rank rank_of(const Case& c) {
+  const Json finding = c.finding.is_object() ? c.finding : Json::object();
+  Rank rank;
+  rank.contact_alone = finding.value("outcome", "") == name_of(Outcome::wrong_contact);
+  rank.naive_wrong = !finding.value("naive_right", false);
+  for (const Severity s : all_severities) {
+    if (finding.value("severity", "") == name_of(s)) rank.severity = s;
+  }
+  for (const Cause cause : {Cause::logic, Cause::rounding}) {
+    if (finding.value("cause", "") == name_of(cause)) rank.cause = cause;
+  }
+  return rank;
+}
+
+void sort_by_rank(std::vector<Case>& cases) { std::ranges::stable_sort(cases, {}, rank_of); }
 
 Case shrunk(Case c, const Method& method) {
   const Truth truth = exact_truth(c.query);
   const Asked seen = observe(method, c.query, blames_a_fault(c.finding) ? times_for_known_fault : 1);
-  if (!seen.fault && judge(method, truth, seen.answer) != Judgement::wrong) {
+  if (!seen.fault && !is_wrong(judge(method, truth, seen.answer))) {
     throw Failure(Exit::bad_input, c.id + ": " + method.name + " answers it rightly, expected a counterexample");
   }
   const Json origin = c.finding.is_object() ? c.finding.value("origin", Json()) : Json();

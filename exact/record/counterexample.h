@@ -23,7 +23,14 @@ Case with_finding(Case c, const Method& method, const Truth& truth, const Answer
 /// The same, but the method is asked again, if it can be asked: a fault then replaces its answer.
 Case with_steady_finding(Case c, const Method& method, const Truth& truth, const Answer& answer);
 
-/// Asks all findings of a report again, and notes the faults.
+/// Where the case stands among others, by what its finding says.
+Rank rank_of(const Case& c);
+
+/// The worst first; cases of one rank keep their order.
+void sort_by_rank(std::vector<Case>& cases);
+
+/// Asks all findings of a report again, notes faults, causes and what naive methods answer, and sorts the findings by
+/// rank.
 void ask_again(const FuzzPlan& plan, FuzzReport& report);
 
 /// The query, shrunk, with its finding; `source` says where it came from, `before` which fault was seen there, if any.

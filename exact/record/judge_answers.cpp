@@ -75,6 +75,17 @@ Status status_at(const Json& object, const Where& where) {
   where.key("status").fail("expected \"ok\", \"nonfinite\", \"unsupported\" or \"failed\", found \"" + name + "\"");
 }
 
+/// Unsaid unless the line says it.
+Contact contact_at(const Json& object, const Where& where) {
+  if (!object.contains("contact")) return Contact::unsaid;
+  const std::string name = text_at(object, "contact", where);
+  for (const Contact c : {Contact::interior, Contact::edge, Contact::vertex, Contact::coplanar}) {
+    if (name == name_of(c)) return c;
+  }
+  where.key("contact").fail("expected \"interior\", \"edge\", \"vertex\" or \"coplanar\" of a hit, found \"" + name +
+                            "\"");
+}
+
 /// Keys that this program writes into answers but does not judge are allowed.
 Answer to_answer(const Json& object, const Where& where) {
   require_keys(
@@ -86,7 +97,7 @@ Answer to_answer(const Json& object, const Where& where) {
   }
   const Json& hit = require(object, "hit", where);
   if (hit != 0 && hit != 1) where.key("hit").fail("expected 0 or 1, found " + hit.dump());
-  return hit == 1 ? hit_at(Contact::unsaid) : miss();
+  return hit == 1 ? hit_at(contact_at(object, where)) : miss();
 }
 
 /// The answer sheets while an answer file is read.
@@ -161,11 +172,12 @@ std::vector<AnswerSheet> read_answers(const std::string& path, const Exam& exam)
   return sheets.complete(path);
 }
 
-Method method_of(const AnswerSheet& sheet, Convention convention) {
+Method method_of(const AnswerSheet& sheet, const Contract& contract) {
   Method method{};
   method.name = sheet.method;
   method.card = {.number = "unknown", .summary = "answers computed elsewhere", .reference = ""};
-  method.contract = {.polygons = Polygons::any, .convention = convention};
+  method.contract = contract;
+  method.tells_contact = true;  // where it is said
   return method;
 }
 

@@ -9,7 +9,8 @@
 
 namespace tribunal {
 
-/// One method's answers, one for each case and in the order of the cases. Only `hit` and `status` are set.
+/// One method's answers, one for each case and in the order of the cases. Only `hit`, `status` and, of hits that say
+/// it, the contact are set.
 struct AnswerSheet {
   std::string method;
   std::vector<Answer> answers;
@@ -31,7 +32,7 @@ Exam read_exam(const std::string& path, unsigned threads);
 /// answers are missing.
 std::vector<AnswerSheet> read_answers(const std::string& path, const Exam& exam);
 
-/// The sheet as a method that promises the convention: to be judged and reported as one, not to be asked.
-Method method_of(const AnswerSheet& sheet, Convention convention);
+/// The sheet as a method with this contract: to be judged and reported as one, not to be asked.
+Method method_of(const AnswerSheet& sheet, const Contract& contract);
 
 }  // namespace tribunal

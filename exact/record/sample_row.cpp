@@ -15,8 +15,33 @@ Slot to_slot(const std::string& name, const Where& where) {
   return *slot;
 }
 
-std::array<std::uint64_t, 6> numbers_of(const Count& c) {
-  return {c.asked, c.wrong, c.unsupported, c.at(Stage::filter), c.at(Stage::integers), c.at(Stage::exact)};
+/// Older logs have the first six.
+using Numbers = std::array<std::uint64_t, 16>;
+
+Numbers numbers_of(const Count& c) {
+  return {c.asked,
+          c.wrong,
+          c.unsupported,
+          c.at(Stage::filter),
+          c.at(Stage::integers),
+          c.at(Stage::exact),
+          c.refused,
+          c.at(Outcome::false_hit),
+          c.at(Outcome::false_miss),
+          c.at(Outcome::wrong_contact),
+          c.at(Outcome::fault),
+          c.at(Severity::plain),
+          c.at(Severity::boundary),
+          c.at(Severity::extreme),
+          c.logic,
+          c.rounding};
+}
+
+bool are_possible(const Numbers& n) {
+  const bool answers = n[2] <= n[0] && n[1] <= n[0] - n[2] && n[3] + n[4] + n[5] <= n[0] - n[2];
+  const std::uint64_t by_outcome = n[7] + n[8] + n[9] + n[10], by_severity = n[11] + n[12] + n[13];
+  return answers && n[6] <= n[2] && by_outcome <= n[1] && by_severity == by_outcome &&
+         n[14] + n[15] <= by_outcome - n[10];
 }
 
 }  // namespace
@@ -45,17 +70,30 @@ Json to_array(const Count& count) {
 }
 
 Count to_count(const Json& array, const Where& where) {
-  std::array<std::uint64_t, 6> n{};
-  if (!array.is_array() || array.empty() || array.size() > n.size()) where.fail("expected one to six counts");
+  Numbers n{};
+  if (!array.is_array() || array.empty() || array.size() > n.size()) where.fail("expected one to sixteen counts");
   for (std::size_t i = 0; i < array.size(); ++i) {
     if (!array[i].is_number_unsigned()) where.index(i).fail("expected a count");
     n[i] = array[i];
   }
-  Count count{.asked = n[0], .wrong = n[1], .unsupported = n[2]};
-  const std::uint64_t staged = n[3] + n[4] + n[5];
-  if (n[2] > n[0] || n[1] > n[0] - n[2] || staged > n[0] - n[2]) where.fail("counts that cannot be: " + array.dump());
-  count.by_stage = {n[0] - n[2] - staged, n[3], n[4], n[5]};
-  return count;
+  if (!are_possible(n)) where.fail("counts that cannot be: " + array.dump());
+  return {.asked = n[0],
+          .wrong = n[1],
+          .unsupported = n[2],
+          .refused = n[6],
+          .by_stage = {n[0] - n[2] - n[3] - n[4] - n[5], n[3], n[4], n[5]},
+          .by_outcome = {n[7], n[8], n[9], n[10]},
+          .by_severity = {n[11], n[12], n[13]},
+          .logic = n[14],
+          .rounding = n[15]};
+}
+
+Json outcomes_of(const Count& count) {
+  Json wrong = Json::object(), severity = Json::object();
+  for (const Outcome o : wrong_outcomes) wrong[std::string(name_of(o))] = count.at(o);
+  for (const Severity s : all_severities) severity[std::string(name_of(s))] = count.at(s);
+  const Json cause = {{"asked", count.logic + count.rounding}, {"logic", count.logic}, {"rounding", count.rounding}};
+  return {{"outcomes", wrong}, {"severity", severity}, {"cause", cause}, {"refused", count.refused}};
 }
 
 Json to_record(const SampleRow& row) {

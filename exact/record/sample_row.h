@@ -27,13 +27,17 @@ Count total_of(const SampleRow& row, bool rays);
 /// All rows of a report in which anything was asked, in the plan's order.
 std::vector<SampleRow> rows_of(const FuzzPlan& plan, const FuzzReport& report);
 
-/// The record "sample". A count is [asked, wrong, unsupported, filter, integers, exact] without trailing zeros; what
-/// no stage answered came from a method without stages.
+/// The record "sample". A count is [asked, wrong, unsupported, filter, integers, exact, refused, false hits, false
+/// misses, wrong contacts, faults, plain, boundary, extreme, logic, rounding] without trailing zeros; what no stage
+/// answered came from a method without stages. Older logs end with `exact`: what their wrong answers are is not said.
 Json to_record(const SampleRow& row);
 SampleRow to_sample_row(const Json& record, const Where& where);
 
 Json to_array(const Count& count);
 Count to_count(const Json& array, const Where& where);
+
+/// What the wrong answers are, by words: "outcomes", "severity", "cause" and "refused".
+Json outcomes_of(const Count& count);
 
 /// A string, a whole number or a truth value of a record; fails if it is missing or of another type.
 std::string string_of(const Json& record, std::string_view key, const Where& where);

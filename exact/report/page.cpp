@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <string_view>
+#include <utility>
 
 #include "exact/cases/family_table.h"
 #include "exact/certificate/bounds.h"
@@ -26,8 +28,9 @@ std::string section(const std::string& title, const std::string& html) {
 
 // --- the verdicts ------------------------------------------------------------------------------------------------
 
-std::string sampled_line(const CertificateFigures& c) {
-  const std::string of = " of " + grouped(c.sampled) + " hard cases, drawn at random by the families below";
+std::string sampled_line(const SampleFigures& c) {
+  const std::string of =
+      " of " + grouped(c.sampled) + " hard " + escape(c.fmt) + " cases, drawn at random by the families below";
   if (c.wrong > 0) {
     const double share = static_cast<double>(c.wrong) / static_cast<double>(c.sampled);
     return "<b>" + grouped(c.wrong) + " wrong</b>" + of + " (" + percent(share) + ")";
@@ -42,7 +45,8 @@ std::string evidence_line(const CertificateFigures& c) {
 }
 
 std::string card(const CertificateFigures& c, const std::string& directory, const std::string& what) {
-  std::string list = item(sampled_line(c));
+  std::string list = item(escape(c.worst));
+  for (const SampleFigures& sample : c.samples) list += item(sampled_line(sample));
   for (const WholeSet& set : c.whole) {
     list += item("<b>" + grouped(set.wrong) + " wrong</b> of the " + grouped(set.size) +
                  " in a set run whole: " + escape(set.name));
@@ -93,7 +97,8 @@ std::string fuzz_row(const FuzzFigures& f) {
   const double share = f.judged > 0 ? static_cast<double>(f.wrong) / static_cast<double>(f.judged) : 0;
   char bar[80];
   std::snprintf(bar, sizeof bar, "style=\"width:%.2f%%\"", std::min(100.0, 400 * share));
-  return element("tr", element("td", code(f.method)) + element("td", grouped(f.judged), "class=\"number\"") +
+  return element("tr", element("td", code(f.method)) + element("td", escape(f.fmt)) +
+                           element("td", grouped(f.judged), "class=\"number\"") +
                            element("td", grouped(f.wrong), "class=\"number\"") +
                            element("td", percent(share), "class=\"number\"") +
                            element("td", f.wrong > 0 ? element("div", "", bar) : "", "class=\"share\""));
@@ -110,8 +115,10 @@ std::string families() {
 /// The methods that read coplanar contacts differently from the others, in words.
 std::string transversal_in_words(const Tour& tour) {
   std::string names;
+  std::string_view before;
   for (const FuzzFigures& f : tour.fuzz) {
     const Method* const m = find_method(f.method);
+    if (std::exchange(before, f.method) == f.method) continue;
     if (m == nullptr || m->contract.convention != Convention::transversal) continue;
     names += (names.empty() ? "" : ", ") + code(f.method) + " (" + escape(m->card.reference) + ")";
   }
@@ -121,18 +128,20 @@ std::string transversal_in_words(const Tour& tour) {
 }
 
 std::string fuzzing(const Tour& tour) {
-  std::string rows = "<tr><th>method</th><th>cases judged</th><th>wrong</th><th>share</th><th></th></tr>\n";
+  std::string rows = "<tr><th>method</th><th>cases</th><th>judged</th><th>wrong</th><th>share</th><th></th></tr>\n";
   for (const FuzzFigures& f : tour.fuzz) rows += fuzz_row(f);
-  return section("Several methods, the same hunt",
-                 paragraph("Fuzzing makes cases on purpose where they are hard. Binary32 methods are judged only on "
-                           "coordinates that binary32 holds. " +
-                           transversal_in_words(tour)) +
-                     element("div", element("table", rows), "class=\"wide\"") +
-                     paragraph("The cases come from these families, in equal parts:") +
-                     element("ul", families(), "class=\"families\"") +
-                     paragraph("Such cases are not random ones. On random points double precision is nearly always "
-                               "right, as the charts below show; in meshes, where rays run along edges and through "
-                               "vertices, they are everyday."));
+  return section(
+      "Several methods, the same hunt",
+      paragraph(
+          "Fuzzing makes cases on purpose where they are hard. Binary32 methods are judged only on "
+          "coordinates that binary32 holds; cases of the two formats are no one population, and have a row each. " +
+          transversal_in_words(tour)) +
+          element("div", element("table", rows), "class=\"wide\"") +
+          paragraph("The cases come from these families, in equal parts:") +
+          element("ul", families(), "class=\"families\"") +
+          paragraph("Such cases are not random ones. On random points double precision is nearly always "
+                    "right, as the charts below show; in meshes, where rays run along edges and through "
+                    "vertices, they are everyday."));
 }
 
 // --- the pictures ------------------------------------------------------------------------------------------------

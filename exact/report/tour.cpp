@@ -31,19 +31,34 @@ bool is_special(const Case& c) {
 /// Length of the coordinates in decimal.
 std::size_t length_of(const Case& c) { return Json(coordinates_of(c)).dump().size(); }
 
+/// The figures of the format, new ones at first.
+SampleFigures& sample_of(std::vector<SampleFigures>& samples, const std::string& fmt) {
+  const auto found = std::ranges::find(samples, fmt, &SampleFigures::fmt);
+  return found != samples.end() ? *found : samples.emplace_back(SampleFigures{fmt});
+}
+
+/// The row of the method and the format, a new one at first.
+FuzzFigures& row_of(std::vector<FuzzFigures>& rows, const std::string& method, const std::string& fmt) {
+  const auto found =
+      std::ranges::find_if(rows, [&](const FuzzFigures& row) { return row.method == method && row.fmt == fmt; });
+  return found != rows.end() ? *found : rows.emplace_back(FuzzFigures{method, fmt});
+}
+
 }  // namespace
 
 CertificateFigures certificate_figures(const Json& certificate) {
   CertificateFigures f;
   f.method = certificate.at("method");
   f.verdict = certificate.at("verdict");
+  f.worst = certificate.at("worst");
   f.counterexamples = certificate.at("counterexamples");
   for (const Json& set : certificate.at("proved")) {
     f.whole.push_back({set.at("set"), set.at("size"), set.at("count").at("wrong")});
   }
   for (const Json& stratum : certificate.at("sampled")) {
-    f.sampled += stratum.at("n").get<std::uint64_t>();
-    f.wrong += stratum.at("k").get<std::uint64_t>();
+    SampleFigures& sample = sample_of(f.samples, stratum.at("fmt"));
+    sample.sampled += stratum.at("n").get<std::uint64_t>();
+    sample.wrong += stratum.at("k").get<std::uint64_t>();
   }
   std::map<std::string, std::size_t> reasons;
   for (const Json& gap : certificate.at("not_covered")) ++reasons[gap.at("reason")];
@@ -54,10 +69,9 @@ CertificateFigures certificate_figures(const Json& certificate) {
 std::vector<FuzzFigures> fuzz_figures(const Json& summary) {
   std::vector<FuzzFigures> rows;
   for (const Json& count : summary.at("counts")) {
-    const std::string method = count.at("method");
-    if (rows.empty() || rows.back().method != method) rows.push_back({method});
-    rows.back().judged += count.at("asked").get<std::uint64_t>() - count.at("unsupported").get<std::uint64_t>();
-    rows.back().wrong += count.at("wrong").get<std::uint64_t>();
+    FuzzFigures& row = row_of(rows, count.at("method"), count.at("fmt"));
+    row.judged += count.at("asked").get<std::uint64_t>() - count.at("unsupported").get<std::uint64_t>();
+    row.wrong += count.at("wrong").get<std::uint64_t>();
   }
   return rows;
 }

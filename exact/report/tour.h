@@ -15,19 +15,26 @@ struct WholeSet {
   std::uint64_t size, wrong;
 };
 
+/// Of the cases that were drawn in one format.
+struct SampleFigures {
+  std::string fmt;
+  std::uint64_t sampled = 0, wrong = 0;
+};
+
 /// The figures of one certificate.json.
 struct CertificateFigures {
-  std::string method, verdict;
+  std::string method, verdict, worst;
   std::vector<WholeSet> whole;
-  std::uint64_t sampled = 0, wrong = 0, counterexamples = 0;
+  std::vector<SampleFigures> samples;
+  std::uint64_t counterexamples = 0;
   std::vector<std::pair<std::string, std::size_t>> gaps{};  ///< reason, how many strata
 
   bool refuted() const { return verdict == "refuted"; }
 };
 
-/// One method's sum over a fuzz run's summary.json.
+/// One method's sum over a fuzz run's summary.json, in one format.
 struct FuzzFigures {
-  std::string method;
+  std::string method, fmt;
   std::uint64_t judged = 0, wrong = 0;
 };
 

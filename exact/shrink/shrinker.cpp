@@ -52,7 +52,9 @@ Shrinker::Shrinker(const Method& method, const Query& query, Format format)
       best_(query),
       cost_(cost_of(query)),
       truth_(exact_truth(query)),
-      wrong_(try_ask(method, query).answer) {}
+      wrong_(try_ask(method, query).answer),
+      outcome_(judge(method, truth_, wrong_)),
+      severity_(severity_of(query, truth_)) {}
 
 bool Shrinker::offer(const Query& candidate) {
   const QueryCost cost = cost_of(candidate);
@@ -60,7 +62,9 @@ bool Shrinker::offer(const Query& candidate) {
   const Asked asked = try_ask(method_, candidate);
   if (asked.fault || asked.answer.status != Status::ok || asked.answer.hit != wrong_.hit) return false;
   const Truth truth = exact_truth(candidate);
-  if (!is_same_case(truth, truth_) || judge(method_, truth, asked.answer) != Judgement::wrong) return false;
+  const Outcome outcome = judge(method_, truth, asked.answer);
+  if (!is_same_case(truth, truth_) || !is_wrong(outcome) || outcome != outcome_) return false;
+  if (severity_of(candidate, truth) > severity_) return false;
   best_ = candidate;
   cost_ = cost;
   return true;

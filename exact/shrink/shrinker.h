@@ -41,7 +41,7 @@ class Shrinker {
   Format format() const { return format_; }
 
   /// Takes the candidate if it is simpler and still the same counterexample: the same exact class, contact and
-  /// `planar`, and the same wrong answer.
+  /// `planar`, wrong in the same way, and no less severe.
   bool offer(const Query& candidate);
 
   /// Translates all points along the axis so that this one gets the coordinate 0.
@@ -63,6 +63,8 @@ class Shrinker {
   QueryCost cost_;
   const Truth truth_;
   const Answer wrong_;
+  const Outcome outcome_;
+  const Severity severity_;
 };
 
 /// Tries all rules once, each where it applies. Returns whether one made the query simpler.

@@ -15,11 +15,12 @@
 namespace tribunal {
 namespace {
 
-/// The first finding of each method × stream × class or outcome × fault, by case number.
-using FirstFindings = std::map<std::tuple<std::size_t, std::size_t, Slot, Status>, Finding>;
+/// The first finding of each method × stream × slot × fault × outcome × severity, by case number.
+using FirstFindings = std::map<std::tuple<std::size_t, std::size_t, Slot, Status, Outcome, Severity>, Finding>;
 
 void keep_first(FirstFindings& kept, const Finding& f) {
-  const auto [entry, fresh] = kept.try_emplace({f.method, f.stream, slot_of(f.truth), f.answer.status}, f);
+  const auto [entry, fresh] =
+      kept.try_emplace({f.method, f.stream, slot_of(f.truth), f.answer.status, f.outcome, f.severity}, f);
   if (!fresh && f.k < entry->second.k) entry->second = f;
 }
 
@@ -88,18 +89,22 @@ void judge_chunk(const FuzzPlan& plan, const Chunk& chunk, std::size_t m, Worker
   worker.answers.resize(chunk.queries.size());
   ask_all(method, plan.operands(), chunk.queries, worker.answers);
   require_intact_rounding(method);
+  TwinQuota quota;
   for (std::size_t i = 0; i < chunk.trials.size(); ++i) {
     const auto& trial = chunk.trials[i];
     const auto& truth = chunk.truths[i];
     Answer answer = worker.answers[i];
-    if (i % 17 == 0 || judge(method, truth, answer) == Judgement::wrong) {
+    if (i % 17 == 0 || is_wrong(judge(method, truth, answer))) {
       answer = held_against_ask(method, chunk.queries[i], answer);
     }
-    const Judgement judgement = judge(method, truth, answer);
-    worker.counts.at({m, chunk.stream, trial.level, slot_of(trial, truth)}).add(judgement, answer.stage);
-    if (judgement != Judgement::wrong) continue;
+    const Outcome outcome = judge(method, truth, answer);
+    Count& count = worker.counts.at({m, chunk.stream, trial.level, slot_of(trial, truth)});
+    count.add(outcome, answer.stage);
+    if (!is_wrong(outcome)) continue;
     ++worker.wrong;
-    keep_first(worker.findings, {m, chunk.stream, chunk.first_k + i, trial, truth, answer});
+    const Severity severity = severity_of(trial.query, truth);
+    count.add_wrong(severity, quota.cause_of(method, trial.query, truth, outcome, severity, chunk.first_k + i));
+    keep_first(worker.findings, {m, chunk.stream, chunk.first_k + i, trial, truth, answer, outcome, severity});
   }
 }
 

@@ -37,7 +37,15 @@ struct Finding {
   Trial trial;
   Truth truth;
   Answer answer;
-  Fault fault{};  ///< what showed when it was asked again (`ask_again`)
+  Outcome outcome;
+  Severity severity;
+
+  // What `ask_again` finds out.
+  Fault fault{};
+  Cause cause = Cause::unknown;
+  bool naive_right = false;  ///< the naive methods answer it rightly
+
+  Rank rank() const { return {severity, outcome == Outcome::wrong_contact, !naive_right, cause}; }
 };
 
 struct FuzzReport {
@@ -45,7 +53,7 @@ struct FuzzReport {
   std::uint64_t run_here = 0;  ///< of these, in this run
   double seconds = 0;          ///< of this run
   CountTable counts;
-  std::vector<Finding> findings;  ///< the first of each method × stream × class or outcome × fault, by case
+  std::vector<Finding> findings;  ///< the first of each method × stream × slot × fault × outcome × severity, by case
                                   ///< number
 };
 

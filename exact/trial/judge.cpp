@@ -27,6 +27,12 @@ Facts facts_of_triangle(const Truth& truth) {
   return facts;
 }
 
+/// What the method tells beside hit or miss is wrong. Batch forms may leave the contact unsaid.
+bool tells_wrongly(const Method& method, const Truth& truth, const Answer& answer) {
+  if (method.contract.exact && answer.planar != truth.planar) return true;
+  return method.tells_contact && answer.hit && answer.contact != Contact::unsaid && answer.contact != truth.contact;
+}
+
 }  // namespace
 
 Facts facts_of(const Truth& truth) {
@@ -51,13 +57,13 @@ Answer within_contract(const Method& method, const Truth& truth, const Answer& a
   return refusal(Status::unsupported);
 }
 
-Judgement judge(const Method& method, const Truth& truth, const Answer& answer) {
-  if (is_fault(answer.status)) return Judgement::wrong;
-  if (answer.status != Status::ok) return Judgement::unsupported;
+Outcome judge(const Method& method, const Truth& truth, const Answer& answer) {
+  if (is_fault(answer.status)) return Outcome::fault;
   const Due owed = due(method.contract, truth);
-  if (owed == Due::nothing) return Judgement::unsupported;
-  if (method.contract.exact && answer.planar != truth.planar) return Judgement::wrong;
-  return judge(owed, answer.hit);
+  if (owed == Due::nothing) return Outcome::not_owed;
+  if (answer.status != Status::ok) return Outcome::refused;
+  const Outcome outcome = judge(owed, answer.hit);
+  return outcome == Outcome::right && tells_wrongly(method, truth, answer) ? Outcome::wrong_contact : outcome;
 }
 
 }  // namespace tribunal

@@ -64,6 +64,16 @@ echo '{"id":"flat","seg":[[0.25,0.25,0],[0.5,0.25,0]],"tri":[[0,0,0],[1,0,0],[0,
 echo '{"id":"flat","hit":0}' >miss.jsonl
 expect 1 judge --cases flat.jsonl --answers miss.jsonl && says out 'answers: refuted'
 expect 0 judge --cases flat.jsonl --answers miss.jsonl --convention transversal
+# A contact with an edge: an open boundary owes a miss, and a half-open one owes nothing of a face alone.
+echo '{"id":"flat","seg":[[0.25,0,1],[0.25,0,-1]],"tri":[[0,0,0],[1,0,0],[0,1,0]]}' >edge.jsonl
+expect 1 judge --cases edge.jsonl --answers miss.jsonl && says out 'answers: refuted; wrong on boundaries only: 1 of 1 (your own binary64)'
+expect 0 judge --cases edge.jsonl --answers miss.jsonl --convention open && says out 'nothing wrong of 1'
+expect 3 judge --cases edge.jsonl --answers miss.jsonl --convention half-open && says err 'nothing to judge'
+# A contact is judged where it is told.
+echo '{"id":"flat","hit":1,"contact":"edge"}' >edge-told.jsonl && echo '{"id":"flat","hit":1,"contact":"vertex"}' >vertex-told.jsonl
+expect 0 judge --cases edge.jsonl --answers edge-told.jsonl
+expect 1 judge --cases edge.jsonl --answers vertex-told.jsonl --out told && says out '1 wrong contact; 1 boundary'
+$python "$SOURCE_DIR/docs/check_counterexample.py" told/counterexamples.jsonl && expect 0 verify told
 echo '{"id":"flat","hit":1}' | "$TRIBUNAL" judge --cases flat.jsonl --answers - >out
 
 # refused MESSAGE LINE…: a file of these answers to case "flat" is bad input.
@@ -94,4 +104,4 @@ expect 3 judge --cases liar.jsonl --answers miss.jsonl && says err 'flat: the ca
 expect 3 judge --cases nothing.jsonl --answers miss.jsonl && says err 'nothing.jsonl: cannot read'
 expect 2 judge --cases - --answers - && says err 'both standard input'
 expect 2 judge --cases flat.jsonl
-expect 2 judge --cases flat.jsonl --answers miss.jsonl --convention open
+expect 2 judge --cases flat.jsonl --answers miss.jsonl --convention ajar

@@ -215,6 +215,7 @@ TEST_F(CertificateTest, ARerunTellsMadeUpCounts) {
     for (Json& r : records) {
       if (r["record"] != "sample" || r["method"] != "sf-double") continue;
       for (auto& item : r["counts"].items()) {
+        while (item.value().size() > 6) item.value().erase(item.value().size() - 1);
         if (item.value().size() > 1) item.value()[1] = 0;
       }
     }

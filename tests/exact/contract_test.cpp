@@ -119,26 +119,25 @@ TEST(Contracts, JudgeOneCase) {
   };
   const Segment front{{1, 1, 1}, {1, 1, -1}}, back{{1, 1, -1}, {1, 1, 1}}, beside{{9, 9, 1}, {9, 9, -1}};
   const Ray ray_from_behind{{1, 1, -1}, {{0, 0, 0x1p-400}}};
-  EXPECT_EQ(verdict(back_faces_culled, front, true), Judgement::right);
-  EXPECT_EQ(verdict(back_faces_culled, front, false), Judgement::wrong);
-  EXPECT_EQ(verdict(back_faces_culled, back, false), Judgement::right);
-  EXPECT_EQ(verdict(back_faces_culled, back, true), Judgement::wrong);
-  EXPECT_EQ(verdict(back_faces_culled, ray_from_behind, false), Judgement::right);
-  EXPECT_EQ(verdict(back_faces_culled, beside, true), Judgement::wrong);
+  EXPECT_EQ(verdict(back_faces_culled, front, true), Outcome::right);
+  EXPECT_EQ(verdict(back_faces_culled, front, false), Outcome::false_miss);
+  EXPECT_EQ(verdict(back_faces_culled, back, false), Outcome::right);
+  EXPECT_EQ(verdict(back_faces_culled, back, true), Outcome::false_hit);
+  EXPECT_EQ(verdict(back_faces_culled, ray_from_behind, false), Outcome::right);
+  EXPECT_EQ(verdict(back_faces_culled, beside, true), Outcome::false_hit);
   const Segment edge{{2, 0, 1}, {2, 0, -1}}, vertex{{0, 0, 1}, {0, 0, -1}}, touching{{1, 1, 0}, {1, 1, -1}};
   for (const bool hit : {false, true}) {
     for (const Segment& s : {edge, vertex}) {
-      EXPECT_EQ(verdict({.boundary = Boundary::half_open}, s, hit), Judgement::unsupported);
-      EXPECT_EQ(verdict({.boundary = Boundary::unspecified}, s, hit), Judgement::unsupported);
-      EXPECT_EQ(verdict({.boundary = Boundary::open}, s, hit), hit ? Judgement::wrong : Judgement::right);
-      EXPECT_EQ(verdict({}, s, hit), hit ? Judgement::right : Judgement::wrong);
+      EXPECT_EQ(verdict({.boundary = Boundary::half_open}, s, hit), Outcome::not_owed);
+      EXPECT_EQ(verdict({.boundary = Boundary::unspecified}, s, hit), Outcome::not_owed);
+      EXPECT_EQ(verdict({.boundary = Boundary::open}, s, hit), hit ? Outcome::false_hit : Outcome::right);
+      EXPECT_EQ(verdict({}, s, hit), hit ? Outcome::right : Outcome::false_miss);
     }
-    EXPECT_EQ(verdict({.ends = Ends::open}, touching, hit), hit ? Judgement::wrong : Judgement::right);
-    EXPECT_EQ(verdict({.ends = Ends::unspecified}, touching, hit), Judgement::unsupported);
-    EXPECT_EQ(verdict({.probes = {.segments = false}}, front, hit), Judgement::unsupported);
-    EXPECT_EQ(verdict({.triangles = Triangles::proper}, Segment{{1, 1, 0}, {1, 1, 0}}, hit), Judgement::unsupported);
-    EXPECT_EQ(verdict({.convention = Convention::unspecified}, Segment{{1, 1, 0}, {2, 1, 0}}, hit),
-              Judgement::unsupported);
+    EXPECT_EQ(verdict({.ends = Ends::open}, touching, hit), hit ? Outcome::false_hit : Outcome::right);
+    EXPECT_EQ(verdict({.ends = Ends::unspecified}, touching, hit), Outcome::not_owed);
+    EXPECT_EQ(verdict({.probes = {.segments = false}}, front, hit), Outcome::not_owed);
+    EXPECT_EQ(verdict({.triangles = Triangles::proper}, Segment{{1, 1, 0}, {1, 1, 0}}, hit), Outcome::not_owed);
+    EXPECT_EQ(verdict({.convention = Convention::unspecified}, Segment{{1, 1, 0}, {2, 1, 0}}, hit), Outcome::not_owed);
   }
 }
 

@@ -78,8 +78,9 @@ TEST(Families, EachHasTeeth) {
     plan.cases = 12'000;
     std::uint64_t wrong = 0;
     fuzz(plan).counts.for_each([&](const Cell&, const Count& c) { wrong += c.wrong; });
-    if (family.name == "zeros") {
-      EXPECT_EQ(wrong, 0U) << "small integers: only a method that tells -0 from 0 fails here";
+    if (family.name == "zeros" || family.name == "plain") {
+      EXPECT_EQ(wrong, 0U) << "small integers and everyday scenes: only a method that tells -0 from 0, or a fault of "
+                              "logic, fails here";
     } else {
       EXPECT_GT(wrong, 0U) << family.name;
     }
@@ -201,10 +202,10 @@ TEST(Judge, ConventionIsNoError) {
   const Query in_plane{Segment{{1, 1, 0}, {2, 1, 0}}, Triangle{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}};
   const Truth truth = exact_truth(in_plane);
   EXPECT_TRUE(truth.hit());
-  EXPECT_EQ(judge(method("mt-double"), truth, method("mt-double").ask(in_plane)), Judgement::right);
-  EXPECT_EQ(judge(method("sf-double"), truth, method("sf-double").ask(in_plane)), Judgement::right);
-  EXPECT_EQ(judge(method("sf-double"), truth, miss()), Judgement::wrong);
-  EXPECT_EQ(judge(method("mt-double"), truth, hit_at(Contact::unsaid)), Judgement::wrong);
+  EXPECT_EQ(judge(method("mt-double"), truth, method("mt-double").ask(in_plane)), Outcome::right);
+  EXPECT_EQ(judge(method("sf-double"), truth, method("sf-double").ask(in_plane)), Outcome::right);
+  EXPECT_EQ(judge(method("sf-double"), truth, miss()), Outcome::false_miss);
+  EXPECT_EQ(judge(method("mt-double"), truth, hit_at(Contact::unsaid)), Outcome::false_hit);
 }
 
 TEST(Judge, NonFiniteOperandsGetNoAnswer) {
@@ -228,7 +229,7 @@ TEST(Shrink, KeepsTheFailureAndIsItsOwnFixedPoint) {
     const Query small = shrink(m, f.trial.query, format);
     EXPECT_EQ(exact_truth(small).class_id, f.truth.class_id);
     EXPECT_EQ(m.ask(small).hit, f.answer.hit);
-    EXPECT_EQ(judge(m, exact_truth(small), m.ask(small)), Judgement::wrong);
+    EXPECT_TRUE(is_wrong(judge(m, exact_truth(small), m.ask(small))));
     EXPECT_EQ(from_case({.query = shrink(m, small, format)}), from_case({.query = small}));
   }
   EXPECT_GE(shrunk, 30);

@@ -47,8 +47,7 @@ TEST(PolygonFamilies, ExactMethodsAreRight) {
         ++contacts[truth.contact];
         ++planar[truth.planar];
         for (const Method* m : exact) {
-          EXPECT_EQ(judge(*m, truth, m->ask(trial.query)), Judgement::right)
-              << m->name << " " << family.name << " " << k;
+          EXPECT_EQ(judge(*m, truth, m->ask(trial.query)), Outcome::right) << m->name << " " << family.name << " " << k;
         }
       }
     }

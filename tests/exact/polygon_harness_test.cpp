@@ -94,12 +94,13 @@ TEST(PolygonJudge, TheBoundaryIsMetInThePlaneToo) {
       Method m{};
       m.contract = {.polygons = Polygons::any, .convention = convention, .polygon_boundary = Boundary::unspecified};
       const bool due = truth.hit() && (truth.contact != Contact::coplanar || convention == Convention::closed);
-      const Judgement otherwise = row.boundary ? Judgement::unsupported : Judgement::wrong;
-      const Judgement rightly = row.boundary ? Judgement::unsupported : Judgement::right;
+      const Outcome wrong = due ? Outcome::false_miss : Outcome::false_hit;
+      const Outcome otherwise = row.boundary ? Outcome::not_owed : wrong;
+      const Outcome rightly = row.boundary ? Outcome::not_owed : Outcome::right;
       EXPECT_EQ(judge(m, truth, due ? hit_at(Contact::unsaid) : miss()), rightly);
       EXPECT_EQ(judge(m, truth, due ? miss() : hit_at(Contact::unsaid)), otherwise);
       m.contract.polygon_boundary = Boundary::closed;
-      EXPECT_EQ(judge(m, truth, due ? miss() : hit_at(Contact::unsaid)), Judgement::wrong);
+      EXPECT_TRUE(is_wrong(judge(m, truth, due ? miss() : hit_at(Contact::unsaid))));
     }
   }
 }

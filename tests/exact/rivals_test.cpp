@@ -130,7 +130,7 @@ TEST(Rivals, AreRightOnPlainCasesInFloatAndInDouble) {
           EXPECT_TRUE(is_of_ray(query) && !m.contract.probes.rays) << m.name;
           continue;
         }
-        EXPECT_EQ(judge(m, truth, answer), Judgement::right) << m.name << " case " << k;
+        EXPECT_EQ(judge(m, truth, answer), Outcome::right) << m.name << " case " << k;
         EXPECT_EQ(m.exact_twin(query).hit, answer.hit) << m.name << " case " << k;
         ++(answer.hit ? hits : misses)[m.name];
         if (!answer.hit || !is_of_ray(query)) continue;
@@ -179,7 +179,7 @@ TEST(Rivals, AreRightOnWalls) {
     for (const Method& m : rivals()) {
       const Answer answer = m.ask(query);
       if (answer.status == Status::unsupported) continue;
-      EXPECT_EQ(judge(m, truth, answer), Judgement::right) << m.name;
+      EXPECT_EQ(judge(m, truth, answer), Outcome::right) << m.name;
       EXPECT_EQ(m.exact_twin(query).hit, answer.hit) << m.name;
       ++(answer.hit ? hits : misses)[m.name];
     }
@@ -248,9 +248,9 @@ TEST(Rivals, ExactTwinsAreNeverWrongOnRandomCasesOfASmallCube) {
     const Query query{probe, c.triangle};
     const Truth truth = truth_in_class(reference_method().classify(probe, query.triangle()).class_id, query);
     for (const Method& twin : all) {
-      const Judgement judgement = judge(twin, truth, twin.ask(query));
-      judged[twin.name] += judgement != Judgement::unsupported;
-      wrong[twin.name] += judgement == Judgement::wrong;
+      const Outcome outcome = judge(twin, truth, twin.ask(query));
+      judged[twin.name] += is_judged(outcome);
+      wrong[twin.name] += is_wrong(outcome);
     }
   }
   for (const Method& twin : all) {
@@ -306,7 +306,7 @@ TEST(Rivals, FaultsOfLogicAreThoseOfTheTable) {
   for (const Method& m : twins()) {
     bool wrong = false;
     for (const Query& query : {small, beside}) {
-      wrong |= judge(m, exact_truth(query), m.exact_twin(query)) == Judgement::wrong;
+      wrong |= is_wrong(judge(m, exact_truth(query), m.exact_twin(query)));
     }
     EXPECT_EQ(wrong, faults_of_logic.contains(shelf_name(m))) << m.name;
   }
@@ -354,8 +354,8 @@ TEST(Rivals, AreWrongOnTheirWitnesses) {
     const Truth truth = exact_truth(c.query);
     EXPECT_EQ(truth.hit(), c.expect) << c.id;
     EXPECT_TRUE(takes(*m, c.format)) << c.id;
-    EXPECT_EQ(judge(*m, truth, m->ask(c.query)), Judgement::wrong) << c.id;
-    const bool twin_is_wrong = judge(*m, truth, m->exact_twin(c.query)) == Judgement::wrong;
+    EXPECT_TRUE(is_wrong(judge(*m, truth, m->ask(c.query)))) << c.id;
+    const bool twin_is_wrong = is_wrong(judge(*m, truth, m->exact_twin(c.query)));
     EXPECT_EQ(c.source.starts_with("logic"), twin_is_wrong) << c.id;
     (twin_is_wrong ? logic : rounding).insert(name);
   }

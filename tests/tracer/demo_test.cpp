@@ -25,9 +25,11 @@ Tour small_tour() {
   Tour tour;
   tour.directory = "a<b";
   tour.commands = {"tribunal fuzz --out a<b&c"};
-  tour.floating = {"sf-double", "refuted", {{"all of {0..2}^3", 14348907, 0}}, 1000, 60, 2};
-  tour.exact = {"sf-rational", "not refuted", {{"all of {0..2}^3", 14348907, 0}}, 1000, 0, 0};
-  tour.fuzz = {{"sf-double", 1000, 60}, {"sf-epick", 1000, 0}};
+  const std::vector<WholeSet> whole = {{"all of {0..2}^3", 14348907, 0}};
+  tour.floating = {"sf-double", "refuted", "wrong on boundaries only", whole, {{"binary64", 1000, 60}}, 2};
+  tour.exact = {"sf-rational", "not refuted", "nothing wrong", whole, {{"binary64", 1000, 0}}, 0};
+  tour.fuzz = {
+      {"sf-double", "binary64", 1000, 60}, {"sf-double", "binary32", 500, 7}, {"sf-epick", "binary64", 1000, 0}};
   tour.counterexample = counterexample("one", below_half);
   tour.replay = "<script>alert(1)</script>";
   tour.pictures = {{"mt-float", "binary32", 320, 240, 162, 141, {{100, 50}, {101, 52}}},
@@ -86,7 +88,7 @@ TEST(Page, ShowsTheVerdictsAsTheyAre) {
   Tour tour = small_tour();
   EXPECT_TRUE(holds(page(tour), "card bad") && holds(page(tour), "card good"));
   tour.exact.verdict = "refuted";
-  tour.exact.wrong = 3;
+  tour.exact.samples[0].wrong = 3;
   EXPECT_EQ(count(page(tour), "\"card bad\""), 2u);
 }
 
@@ -134,7 +136,7 @@ TEST(Page, TellsTheCostOfTheFlagship) {
 TEST(Page, NamesTheMethodsThatReadThePlaneOtherwise) {
   Tour tour = small_tour();
   EXPECT_FALSE(holds(page(tour), "To some of them"));
-  tour.fuzz.push_back({"mt-float", 1000, 3});
+  tour.fuzz.push_back({"mt-float", "binary32", 1000, 3});
   EXPECT_TRUE(holds(page(tour), "<code>mt-float</code> (Möller &amp; Trumbore 1997)."));
 }
 
@@ -151,13 +153,19 @@ TEST(Tour, PicksTheShortestCounterexampleInGeneralPlace) {
 TEST(Tour, SumsACertificate) {
   const Json certificate = {{"method", "m"},
                             {"verdict", "refuted"},
+                            {"worst", "wrong"},
                             {"counterexamples", 2},
                             {"proved", {{{"set", "s"}, {"size", 10}, {"count", {{"wrong", 1}}}}}},
-                            {"sampled", {{{"n", 5}, {"k", 1}}, {{"n", 7}, {"k", 2}}}},
+                            {"sampled",
+                             {{{"fmt", "binary64"}, {"n", 5}, {"k", 1}},
+                              {{"fmt", "binary32"}, {"n", 4}, {"k", 4}},
+                              {{"fmt", "binary64"}, {"n", 7}, {"k", 2}}}},
                             {"not_covered", {{{"what", "a"}, {"reason", "r"}}, {{"what", "b"}, {"reason", "r"}}}}};
   const CertificateFigures f = certificate_figures(certificate);
-  EXPECT_EQ(f.sampled, 12u);
-  EXPECT_EQ(f.wrong, 3u);
+  ASSERT_EQ(f.samples.size(), 2u);
+  EXPECT_EQ(f.samples[0].sampled, 12u);
+  EXPECT_EQ(f.samples[0].wrong, 3u);
+  EXPECT_EQ(f.samples[1].wrong, 4u) << "formats are not added up";
   EXPECT_TRUE(f.refuted());
   EXPECT_EQ(f.whole.at(0).wrong, 1u);
   EXPECT_EQ(f.gaps.at(0).second, 2u);
@@ -165,11 +173,12 @@ TEST(Tour, SumsACertificate) {
 
 TEST(Tour, SumsAFuzzRunByMethod) {
   const Json summary = {{"counts",
-                         {{{"method", "a"}, {"asked", 10}, {"unsupported", 1}, {"wrong", 2}},
-                          {{"method", "a"}, {"asked", 10}, {"unsupported", 0}, {"wrong", 3}},
-                          {{"method", "b"}, {"asked", 4}, {"unsupported", 0}, {"wrong", 0}}}}};
+                         {{{"method", "a"}, {"fmt", "binary64"}, {"asked", 10}, {"unsupported", 1}, {"wrong", 2}},
+                          {{"method", "a"}, {"fmt", "binary32"}, {"asked", 5}, {"unsupported", 0}, {"wrong", 5}},
+                          {{"method", "a"}, {"fmt", "binary64"}, {"asked", 10}, {"unsupported", 0}, {"wrong", 3}},
+                          {{"method", "b"}, {"fmt", "binary64"}, {"asked", 4}, {"unsupported", 0}, {"wrong", 0}}}}};
   const std::vector<FuzzFigures> rows = fuzz_figures(summary);
-  ASSERT_EQ(rows.size(), 2u);
+  ASSERT_EQ(rows.size(), 3u) << "formats are not added up";
   EXPECT_EQ(rows[0].judged, 19u);
   EXPECT_EQ(rows[0].wrong, 5u);
 }

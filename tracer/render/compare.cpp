@@ -61,7 +61,8 @@ Case judged(Case c, const Method& a, const Method& b) {
   c.expect = truth.hit();
   for (const Method* m : {&a, &b}) {
     const Answer answer = m->ask(c.query);
-    if (judge(*m, truth, answer) == Judgement::wrong) c = with_finding(std::move(c), *m, truth, answer);
+    const Outcome outcome = judge(*m, truth, answer);
+    if (is_wrong(outcome) && outcome != Outcome::wrong_contact) c = with_finding(std::move(c), *m, truth, answer);
   }
   return c;
 }

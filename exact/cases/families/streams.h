@@ -36,6 +36,7 @@ inline constexpr RandomStreams random_streams[] = {
     {"family overflow", 18},
     {"family direction", 19},
     {"family size", 20},
+    {"family plain", 21},
     {"polygon family affine", 101},
     {"polygon family scale", 102},
     {"polygon family ulp", 103},

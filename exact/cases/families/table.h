@@ -24,5 +24,6 @@ Family extreme_family();
 Family overflow_family();
 Family direction_family();
 Family size_family();
+Family plain_family();
 
 }  // namespace tribunal
