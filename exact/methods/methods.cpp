@@ -85,6 +85,7 @@ std::vector<Row> all_rows() {
       {"sf-filtered", sf_filtered, {Role::flagship}},
       {"sf-epick", sf_epick, {Role::generator}},
       {"sf-epeck", sf_epeck},
+      {"sf-expansion", sf_expansion},
       {"sf-rational", sf_rational, {Role::reference}},
   };
   for (const Shelf& s : shelf()) {
