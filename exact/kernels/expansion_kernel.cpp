@@ -32,19 +32,25 @@ Vec3<Magnitude> magnitudes(const Vec3<double>& v) { return {Magnitude(v.x), Magn
 /// A formula in double, with its permanent.
 struct Estimate {
   double value, permanent;
-
-  /// The sign, if |value| > operations·u·permanent, where u = 2⁻⁵³ and `operations` is one more than the most roundings
-  /// that a monomial goes through.
-  ///
-  /// A monomial that goes through n roundings comes out as itself times a factor within (1 ± u)ⁿ, if nothing underflows
-  /// or overflows. So value is off by at most ((1 + u)ⁿ − 1)·P, P the exact permanent; and the computed one is at least
-  /// (1 − u)ⁿ·P. The quotient is below n·u·(1 + 2n·u), and the bound's own rounding adds a factor 1 + u: together less
-  /// than (n + 1)·u for n < 2²⁰.
-  std::optional<Sign> certain(int operations) const {
-    if (std::fabs(value) > operations * 0x1p-53 * permanent) return sign_of(value);
-    return permanent == 0 ? std::optional(Sign::zero) : std::nullopt;
-  }
 };
+
+/// Where bounds allow for products that underflow by 2⁻¹⁰⁷⁵ each: far more, so that no bound is a subnormal number,
+/// with which processors are slow.
+constexpr double far_above_underflow = 0x1p-960;
+
+/// The value's sign, if |value| > operations·u·permanent + underflow, where u = 2⁻⁵³ and `operations` is one more than
+/// the most roundings that a monomial goes through. Nothing where something overflows: then the bound is infinite, or
+/// no number.
+///
+/// A monomial that goes through n roundings comes out as itself times a factor within (1 ± u)ⁿ. So value is off by at
+/// most ((1 + u)ⁿ − 1)·P, P the exact permanent, and the computed one is at least (1 − u)ⁿ·P. The quotient is below
+/// n·u·(1 + 2n·u), and the bound's own rounding adds a factor 1 + 2u: together less than (n + 1)·u for n < 2²⁰. Where
+/// products underflow they are off by 2⁻¹⁰⁷⁵ more each; `underflow` is to be twice what that makes of value and
+/// permanent.
+std::optional<Sign> certain(const Estimate& e, int operations, double underflow) {
+  if (std::fabs(e.value) > operations * 0x1p-53 * e.permanent + underflow) return sign_of(e.value);
+  return std::nullopt;
+}
 
 /// n = 8: three differences, two products, and the sums of a minor and of two more minors.
 constexpr int volume_operations = 9;
@@ -63,11 +69,23 @@ Estimate estimated_volume(const Point3& a, const Point3& b, const Point3& c, con
   return volume_of(arm<double>(o, b), arm<double>(o, c), arm<double>(o, x));
 }
 
+/// Two products of a minor underflow by 2⁻¹⁰⁷⁵ each and are multiplied by a coordinate of u = b − a, three more are
+/// added: 2⁻¹⁰⁷⁴·(|u.x| + |u.y| + |u.z|) + 3·2⁻¹⁰⁷⁵.
 template <class X>
-Estimate estimated_area(Axis dropped, const Point3& a, const Point3& b, const X& x) {
+std::optional<Sign> volume_by_bound(const Point3& a, const Point3& b, const Point3& c, const X& x) {
+  const Vec3<double> u = arm<double>(lift<double>(a), b);
+  const double underflow =
+      far_above_underflow * (std::fabs(u.x) + std::fabs(u.y) + std::fabs(u.z)) + far_above_underflow;
+  return certain(estimated_volume(a, b, c, x), volume_operations, underflow);
+}
+
+/// Two products underflow.
+template <class X>
+std::optional<Sign> area_by_bound(Axis dropped, const Point3& a, const Point3& b, const X& x) {
   const Vec3<double> o = lift<double>(a);
   const Vec2<double> f = project<double>(arm<double>(o, b), dropped), g = project<double>(arm<double>(o, x), dropped);
-  return {f.u * g.v - f.v * g.u, std::fabs(f.u * g.v) + std::fabs(f.v * g.u)};
+  const Estimate area{f.u * g.v - f.v * g.u, std::fabs(f.u * g.v) + std::fabs(f.v * g.u)};
+  return certain(area, area_operations, far_above_underflow);
 }
 
 /// The operands of one sign, to be moved; X is a point or a direction.
@@ -118,30 +136,41 @@ struct ExactKernel : FormulaKernel<VolumeExpansion> {
 
 static_assert(Kernel<ExactKernel>);
 
-/// The sign by the first who can tell. `estimate` gives it, or nothing, from operands in the range; `sign` asks a
-/// kernel.
-template <class Operands, class Estimated, class Asked>
-Sign decide(const ExpansionRange& range, Operands o, const Estimated& estimate, const Asked& sign,
-            ExpansionTally* tally) {
-  ExpansionTally unheeded;
-  ExpansionTally& decided = tally != nullptr ? *tally : unheeded;
-  if (!o.are_within(range) && !o.bring_within(range)) {
-    ++decided.dyadic;
-    return sign(o, RationalKernel{});
+/// Only asked where nothing underflows. n₁/d₁ − n₂/d₂ as in core/kernel.h, with the minus of both denominators left
+/// out: they turn the first sign twice.
+std::optional<Sign> order_by_bound(const Hits& h) {
+  const Triangle &s = h.s, &t = h.t;
+  const Estimate n1 = estimated_volume(s.a, s.b, s.c, h.ray.o), d1 = estimated_volume(s.a, s.b, s.c, h.ray.d);
+  const Estimate n2 = estimated_volume(t.a, t.b, t.c, h.ray.o), d2 = estimated_volume(t.a, t.b, t.c, h.ray.d);
+  const Estimate difference{n2.value * d1.value - n1.value * d2.value,
+                            n2.permanent * d1.permanent + n1.permanent * d2.permanent};
+  const auto sign = certain(difference, order_operations, 0);
+  const auto sign1 = certain(d1, volume_operations, 0), sign2 = certain(d2, volume_operations, 0);
+  if (!sign || !sign1 || !sign2) return std::nullopt;
+  return *sign * *sign1 * *sign2;
+}
+
+/// The sign by expansions, or by GMP where the operands cannot be moved into the range. `sign` asks a kernel.
+template <class Operands, class Asked>
+Sign exactly(const ExpansionRange& range, Operands o, const Asked& sign, ExpansionTally& tally) {
+  if (o.are_within(range) || o.bring_within(range)) {
+    ++tally.expansions;
+    return sign(o, ExactKernel{});
   }
-  if (const std::optional<Sign> s = estimate(o)) {
-    ++decided.bound;
-    return *s;
-  }
-  ++decided.expansions;
-  return sign(o, ExactKernel{});
+  ++tally.dyadic;
+  return sign(o, RationalKernel{});
+}
+
+Sign by_bound(Sign s, ExpansionTally& tally) {
+  ++tally.bound;
+  return s;
 }
 
 template <class X>
-Sign adaptive_orient3d(const Point3& a, const Point3& b, const Point3& c, const X& x, ExpansionTally* tally) {
-  return decide(
+Sign adaptive_orient3d(const Point3& a, const Point3& b, const Point3& c, const X& x, ExpansionTally& tally) {
+  if (const auto s = volume_by_bound(a, b, c, x)) return by_bound(*s, tally);
+  return exactly(
       volume_range, Operands<X>{a, b, c, x},
-      [](const auto& o) { return estimated_volume(o.a, o.b, o.c, o.x).certain(volume_operations); },
       [](const auto& o, const auto& k) { return k.orient3d(o.a, o.b, o.c, o.x); }, tally);
 }
 
@@ -154,54 +183,42 @@ Direction without(Axis dropped, const Direction& d) { return {without(dropped, d
 
 /// What the dropped axis has is of no account, and must not keep the operands out of the range.
 template <class X>
-Sign adaptive_orient2d(Axis dropped, const Point3& a, const Point3& b, const X& x, ExpansionTally* tally) {
+Sign adaptive_orient2d(Axis dropped, const Point3& a, const Point3& b, const X& x, ExpansionTally& tally) {
+  if (const auto s = area_by_bound(dropped, a, b, x)) return by_bound(*s, tally);
   const Point3 flat = without(dropped, a);
-  return decide(
+  return exactly(
       volume_range, Operands<X>{flat, without(dropped, b), flat, without(dropped, x)},
-      [=](const auto& o) { return estimated_area(dropped, o.a, o.b, o.x).certain(area_operations); },
       [=](const auto& o, const auto& k) { return k.orient2d(dropped, o.a, o.b, o.x); }, tally);
 }
 
-/// A volume that has the factor of a ray's parameter: the numerator, or the denominator but for its sign.
-template <class X>
-Estimate estimated_volume(const Triangle& t, const X& x) {
-  return estimated_volume(t.a, t.b, t.c, x);
-}
-
-/// n₁/d₁ − n₂/d₂ as in core/kernel.h, with the minus of both denominators left out: they turn the first sign twice.
-std::optional<Sign> estimated_order(const Hits& h) {
-  const Estimate n1 = estimated_volume(h.s, h.ray.o), d1 = estimated_volume(h.s, h.ray.d);
-  const Estimate n2 = estimated_volume(h.t, h.ray.o), d2 = estimated_volume(h.t, h.ray.d);
-  const Estimate difference{n2.value * d1.value - n1.value * d2.value,
-                            n2.permanent * d1.permanent + n1.permanent * d2.permanent};
-  const auto sign = difference.certain(order_operations);
-  const auto sign1 = d1.certain(volume_operations), sign2 = d2.certain(volume_operations);
-  if (!sign || !sign1 || !sign2) return std::nullopt;
-  return *sign * *sign1 * *sign2;
+Sign adaptive_order(const Hits& h, ExpansionTally& tally) {
+  if (h.are_within(order_range)) {
+    if (const auto s = order_by_bound(h)) return by_bound(*s, tally);
+  }
+  return exactly(
+      order_range, h, [](const auto& o, const auto& k) { return k.compare_hits(o.ray, o.s, o.t); }, tally);
 }
 
 }  // namespace
 
 Sign ExpansionKernel::orient3d(const Point3& a, const Point3& b, const Point3& c, const Point3& x) const {
-  return adaptive_orient3d(a, b, c, x, tally_);
+  return counted([&](auto& tally) { return adaptive_orient3d(a, b, c, x, tally); });
 }
 
 Sign ExpansionKernel::orient3d(const Point3& a, const Point3& b, const Point3& c, const Direction& x) const {
-  return adaptive_orient3d(a, b, c, x, tally_);
+  return counted([&](auto& tally) { return adaptive_orient3d(a, b, c, x, tally); });
 }
 
 Sign ExpansionKernel::orient2d(Axis dropped, const Point3& a, const Point3& b, const Point3& x) const {
-  return adaptive_orient2d(dropped, a, b, x, tally_);
+  return counted([&](auto& tally) { return adaptive_orient2d(dropped, a, b, x, tally); });
 }
 
 Sign ExpansionKernel::orient2d(Axis dropped, const Point3& a, const Point3& b, const Direction& x) const {
-  return adaptive_orient2d(dropped, a, b, x, tally_);
+  return counted([&](auto& tally) { return adaptive_orient2d(dropped, a, b, x, tally); });
 }
 
 Sign ExpansionKernel::compare_hits(const Ray& r, const Triangle& s, const Triangle& t) const {
-  return decide(
-      order_range, Hits{r, s, t}, estimated_order,
-      [](const Hits& h, const auto& k) { return k.compare_hits(h.ray, h.s, h.t); }, tally_);
+  return counted([&](auto& tally) { return adaptive_order({r, s, t}, tally); });
 }
 
 }  // namespace tribunal

@@ -36,6 +36,13 @@ class ExpansionKernel {
   }
 
  private:
+  /// What is asked with the caller's tally, or with one that nobody reads.
+  template <class Asked>
+  Sign counted(const Asked& ask) const {
+    ExpansionTally unread;
+    return ask(tally_ != nullptr ? *tally_ : unread);
+  }
+
   ExpansionTally* tally_;
 };
 

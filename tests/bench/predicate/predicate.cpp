@@ -16,8 +16,10 @@
 #include "core/segura_feito.h"
 #include "exact/filtered/batch.h"
 #include "exact/filtered/filtered.h"
+#include "exact/filtered/filtered_kernel.h"
 #include "exact/kernels/expansion_kernel.h"
 #include "exact/kernels/rational_kernel.h"
+#include "exact/methods/cgal_kernels.h"
 #include "exact/methods/methods.h"
 #include "tests/bench/medians.h"
 #include "tests/bench/predicate/pairs.h"
@@ -124,18 +126,25 @@ void time_rays(const std::string& population, const PairTable& table) {
   }
 }
 
-/// Other exact arithmetic under our source.
-void time_our_other_kernels(const std::string& population, const PairTable& table) {
-  time_single("sf_expansion", population, table,
-              [](const Segment& s, const Triangle& t) { return segura_feito(s, t, ExpansionKernel{}).hit; });
-  time_single("sf_rational", population, table,
-              [](const Segment& s, const Triangle& t) { return segura_feito(s, t, RationalKernel{}).hit; });
+template <Kernel K>
+void time_kernel(const std::string& method, const std::string& population, const PairTable& table, const K& k) {
+  time_single(method, population, table,
+              [k](const Segment& s, const Triangle& t) { return segura_feito(s, t, k).hit; });
+}
+
+/// The five exact arithmetics under one source, `segura_feito`.
+void time_exact_kernels(const std::string& population, const PairTable& table) {
+  time_kernel("sf_filtered", population, table, FilteredKernel{});
+  time_kernel("sf_epick", population, table, EpickKernel{});
+  time_kernel("sf_epeck", population, table, EpeckKernel{});
+  time_kernel("sf_expansion", population, table, ExpansionKernel{});
+  time_kernel("sf_rational", population, table, RationalKernel{});
 }
 
 void time_exact_peers(const std::string& population, const PairTable& table) {
   time_single("epick", population, table, epick);
   time_single("epeck", population, table, epeck);
-  time_our_other_kernels(population, table);
+  time_exact_kernels(population, table);
 }
 
 /// Lives as long as the benchmarks do.
@@ -157,9 +166,8 @@ void register_all() {
     time_single(
         "epick_checked", population, table,
         [test = find_method("cgal-epick")->segment](const Segment& s, const Triangle& t) { return test(s, t).hit; });
-    time_single("sf_double", population, table,
-                [](const Segment& s, const Triangle& t) { return segura_feito(s, t, FormulaKernel<double>{}).hit; });
-    time_our_other_kernels(population, table);
+    time_kernel("sf_double", population, table, FormulaKernel<double>{});
+    time_exact_kernels(population, table);
   }
   time_rays("rays_7", kept(random_rays(in_second_level_cache, 7)));
   time_batches("one_against_many", kept(one_segment_pairs(in_second_level_cache)), true);
