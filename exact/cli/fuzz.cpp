@@ -33,12 +33,14 @@ std::uint64_t cases_of(const Options& o) {
 }
 
 FuzzPlan plan_of(const Options& o, std::vector<Stream> streams) {
-  return {.methods = methods_named(o.methods),
-          .streams = std::move(streams),
-          .seed = o.seed,
-          .cases = cases_of(o),
-          .seconds = o.seconds,
-          .threads = o.threads};
+  FuzzPlan plan{.methods = methods_named(o.methods),
+                .streams = std::move(streams),
+                .seed = o.seed,
+                .cases = cases_of(o),
+                .seconds = o.seconds,
+                .threads = o.threads};
+  plan.quick = quick_class_for(plan.methods, plan.operands());
+  return plan;
 }
 
 struct Row {

@@ -26,7 +26,7 @@ void keep_first(FirstFindings& kept, const Finding& f) {
 struct Worker {
   CountTable counts;
   FirstFindings findings{};
-  std::uint64_t wrong = 0;
+  std::uint64_t wrong = 0, audited = 0;
   std::vector<Answer> answers{};
 };
 
@@ -39,12 +39,19 @@ struct Chunk {
   std::vector<Query> queries{};
 };
 
-Chunk make_chunk(const FuzzPlan& plan, std::size_t stream, std::uint64_t first_k, std::uint64_t end_k) {
+Truth truth_in(const FuzzPlan& plan, std::size_t stream, std::uint64_t k, const Trial& trial, Worker& worker) {
+  if (plan.quick == nullptr) return truth_of(trial, k);
+  if (!is_audited(plan.seed, stream, k)) return quick_truth(trial, plan.quick);
+  ++worker.audited;
+  return audited_truth(trial, plan.quick);
+}
+
+Chunk make_chunk(const FuzzPlan& plan, std::size_t stream, std::uint64_t first_k, std::uint64_t end_k, Worker& worker) {
   Chunk chunk{stream, first_k};
   const Stream& source = plan.streams[stream];
   for (std::uint64_t k = first_k; k < end_k; ++k) {
     chunk.trials.push_back(source.family->make(source.format, plan.seed, k));
-    chunk.truths.push_back(truth_of(chunk.trials.back(), k));
+    chunk.truths.push_back(truth_in(plan, stream, k, chunk.trials.back(), worker));
     chunk.queries.push_back(chunk.trials.back().query);
   }
   return chunk;
@@ -108,7 +115,7 @@ void run_cases(const FuzzPlan& plan, std::uint64_t first, std::uint64_t end, Wor
   const std::uint64_t n = plan.streams.size();
   const auto number_below = [n](std::uint64_t g, std::uint64_t stream) { return (g + n - 1 - stream) / n; };
   for (std::size_t stream = 0; stream < n; ++stream) {
-    const Chunk chunk = make_chunk(plan, stream, number_below(first, stream), number_below(end, stream));
+    const Chunk chunk = make_chunk(plan, stream, number_below(first, stream), number_below(end, stream), worker);
     for (std::size_t m = 0; m < plan.methods.size(); ++m) {
       if (takes(plan.methods[m], plan.streams[stream].format)) judge_chunk(plan, chunk, m, worker);
     }
@@ -143,6 +150,7 @@ void run_slice(const FuzzPlan& plan, FuzzReport& report, Progress& progress, con
   for (const auto& f : report.findings) keep_first(kept, f);
   for (const Worker& w : workers) {
     report.counts += w.counts;
+    report.audited += w.audited;
     for (const auto& [key, finding] : w.findings) keep_first(kept, finding);
   }
   report.findings = in_order(kept, plan.streams.size());
@@ -180,6 +188,11 @@ FuzzReport fuzz(const FuzzPlan& plan, FuzzReport so_far, const Checkpoint& check
 }
 
 FuzzReport fuzz(const FuzzPlan& plan) { return fuzz(plan, empty_report(plan), {}); }
+
+ClassBy quick_class_for(const std::vector<Method>& methods, Operands operands) {
+  const bool one_is_exact = std::ranges::any_of(methods, [](const Method& m) { return m.contract.exact; });
+  return one_is_exact || operands == Operands::polygons ? nullptr : certified_class;
+}
 
 std::uint64_t block_size_of(Operands operands) { return operands == Operands::triangles ? 2048 : 256; }
 
