@@ -83,9 +83,9 @@ std::vector<Row> all_rows() {
       {"sf-double", sf_double, {Role::calibration, Role::charted}},
       {"sf-double-eps", sf_double_eps},
       {"sf-filtered", sf_filtered, {Role::flagship}},
-      {"sf-epick", sf_epick, {Role::generator}},
+      {"sf-epick", sf_epick},
       {"sf-epeck", sf_epeck},
-      {"sf-expansion", sf_expansion},
+      {"sf-expansion", sf_expansion, {Role::generator}},
       {"sf-rational", sf_rational, {Role::reference}},
   };
   for (const Shelf& s : shelf()) {

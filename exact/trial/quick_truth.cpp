@@ -1,9 +1,12 @@
 #include "exact/trial/quick_truth.h"
 
 #include <array>
+#include <optional>
 
 #include "exact/classes/class_table.h"
-#include "exact/filtered/filtered_kernel.h"
+#include "exact/filtered/stages/exact_stages.h"
+#include "exact/kernels/expansion_bound.h"
+#include "exact/kernels/expansion_kernel.h"
 #include "exact/trial/truth_rules.h"
 
 namespace tribunal {
@@ -25,11 +28,42 @@ std::array<Truth, all_class_count + 1> truths_of_classes() {
   return truths;
 }
 
+/// The chirotope, where the error bound makes all five volumes certain; they are nonzero then, and span space.
+template <class P>
+std::optional<Chirotope> chirotope_by_bound(const P& probe, const Triangle& t) {
+  using detail::volume_by_bound;
+  const Point3& p = source(probe);
+  const auto& q = target(probe);
+  ChirotopeCode code;
+  const auto append = [&code](const std::optional<Sign>& s) {
+    if (s) code.append(*s);
+    return s.has_value();
+  };
+  if (!append(volume_by_bound(t.a, t.b, t.c, p)) || !append(volume_by_bound(t.a, t.b, t.c, q)) ||
+      !append(volume_by_bound(t.a, t.b, p, q)) || !append(volume_by_bound(t.a, t.c, p, q)) ||
+      !append(volume_by_bound(t.b, t.c, p, q))) {
+    return std::nullopt;
+  }
+  return code.of_rank(4);
+}
+
+/// By the bound; on a grid of machine words, where nothing but the operands is rounded, and they are not; by
+/// expansions.
+template <class P>
+Chirotope certified_chirotope(const P& probe, const Triangle& t) {
+  if (const auto certain = chirotope_by_bound(probe, t)) return *certain;
+  if (Pair<P> moved{probe, t}; moved.move_to_grid(grid_bits<3>)) {
+    return chirotope(moved.probe, moved.triangle, GridKernel{});
+  }
+  return chirotope(probe, t, ExpansionKernel{});
+}
+
 }  // namespace
 
 ClassId certified_class(const Query& query) {
-  return std::visit([&](const auto& probe) { return class_of(probe, query.triangle(), FilteredKernel{}); },
-                    query.probe);
+  const auto chirotope_of = [&](const auto& probe) { return certified_chirotope(probe, query.triangle()); };
+  const Chirotope signs = std::visit(chirotope_of, query.probe);
+  return is_of_ray(query) ? ray_class_of(signs) : class_of(signs);
 }
 
 bool is_audited(std::uint64_t seed, std::uint64_t stream, std::uint64_t k) {
@@ -41,7 +75,7 @@ Truth quick_truth(const Trial& trial, ClassBy quick) {
   const ClassId id = trial.class_id != 0 ? trial.class_id : quick(trial.query);
   if (id == 0) contradiction(trial.query, "the certified signs are in no class", "five elements always are");
   Truth truth = by_class[id];
-  truth.facing = facing_in(truth.contact, trial.query, FilteredKernel{});
+  truth.facing = facing_in(truth.contact, trial.query, ExpansionKernel{});
   return truth;
 }
 
