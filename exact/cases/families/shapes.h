@@ -39,7 +39,7 @@ inline int draw_near_levels(Draw& draw, std::span<const int> levels) {
 inline double draw_real(Draw& draw, Format format) {
   const int digits = digits_of(format);
   const std::int64_t limit = std::int64_t{1} << digits;
-  return std::ldexp(static_cast<double>(draw.between(-limit, limit)), -digits);
+  return static_cast<double>(draw.between(-limit, limit)) / static_cast<double>(limit);
 }
 
 inline Point3 draw_point(Draw& draw, Format format) {
