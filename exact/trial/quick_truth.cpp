@@ -6,7 +6,7 @@
 #include "exact/classes/class_table.h"
 #include "exact/filtered/stages/exact_stages.h"
 #include "exact/kernels/expansion_bound.h"
-#include "exact/kernels/expansion_kernel.h"
+#include "exact/kernels/product_sum.h"
 #include "exact/trial/truth_rules.h"
 
 namespace tribunal {
@@ -55,7 +55,7 @@ Chirotope certified_chirotope(const P& probe, const Triangle& t) {
   if (Pair<P> moved{probe, t}; moved.move_to_grid(grid_bits<3>)) {
     return chirotope(moved.probe, moved.triangle, GridKernel{});
   }
-  return chirotope(probe, t, ExpansionKernel{});
+  return chirotope(probe, t, ProductSumKernel{});
 }
 
 }  // namespace
@@ -75,7 +75,7 @@ Truth quick_truth(const Trial& trial, ClassBy quick) {
   const ClassId id = trial.class_id != 0 ? trial.class_id : quick(trial.query);
   if (id == 0) contradiction(trial.query, "the certified signs are in no class", "five elements always are");
   Truth truth = by_class[id];
-  truth.facing = facing_in(truth.contact, trial.query, ExpansionKernel{});
+  truth.facing = facing_in(truth.contact, trial.query, ProductSumKernel{});
   return truth;
 }
 
