@@ -96,6 +96,16 @@ std::string table(const FuzzPlan& plan, const FuzzReport& report, bool levels) {
   return text;
 }
 
+/// Who said the exact answers, and how many of them the oracles checked.
+std::string judged_by(const FuzzPlan& plan, const FuzzReport& report) {
+  const std::string oracles = oracles_of(plan.operands());
+  if (plan.operands() == Operands::polygons) return oracles;
+  const std::string known = "construction where a family knows the class, else by ";
+  if (plan.quick == nullptr) return known + oracles;
+  return known + "signs certified one way; " + std::to_string(report.audited) +
+         " cases, drawn by a hash, also by all of: " + oracles + "; all agreed";
+}
+
 Json coverage_json(const FuzzPlan& plan, const FuzzReport& report) {
   Json object = Json::object();
   for (std::size_t m = 0; m < plan.methods.size(); ++m) {
@@ -163,6 +173,8 @@ Json summary(const FuzzPlan& plan, const FuzzReport& report) {
   return {{"seed", plan.seed},
           {"cases", report.cases},
           {triangles ? "classes_judged" : "polygons_judged", coverage_json(plan, report)},
+          {"judged_by", judged_by(plan, report)},
+          {"audited", report.audited},
           {"counts", rows},
           {"faults", faults_json(plan, report)},
           {"environment", environment()}};
@@ -200,7 +212,7 @@ std::string totals(const FuzzPlan& plan, const FuzzReport& report) {
     text += "; " + compact(static_cast<double>(report.run_here)) + " in " + compact(report.seconds) + " s, " +
             compact(static_cast<double>(report.run_here) / report.seconds) + "/s";
   }
-  return text + "\n";
+  return text + "\njudged by " + judged_by(plan, report) + "\n";
 }
 
 void write_findings(const Options& o, const FuzzPlan& plan, const FuzzReport& report) {
