@@ -15,7 +15,7 @@ using ClassBy = ClassId (*)(const Query&);
 ClassId certified_class(const Query& query);
 
 /// One case in so many is judged by the oracles too.
-inline constexpr std::uint64_t audit_period = 128;
+inline constexpr std::uint64_t audit_period = 256;
 
 /// Whether this case is one of them: by a hash of its number, so that no class, level or kind of probe is left out or
 /// preferred, as it would be by a stride.

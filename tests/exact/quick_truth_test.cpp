@@ -62,8 +62,8 @@ TEST(ProductSum, TheLeastProductDecides) {
 TEST(Audit, LeavesNoResidueOut) {
   for (const std::uint64_t modulus : {2U, 3U, 16U, 163U, 328U}) {
     std::vector<std::uint64_t> audited(modulus);
-    for (std::uint64_t k = 0; k < 2'000'000; ++k) audited[k % modulus] += is_audited(1, 3, k) ? 1 : 0;
-    const auto due = static_cast<double>(2'000'000 / audit_period / modulus);
+    for (std::uint64_t k = 0; k < 4'000'000; ++k) audited[k % modulus] += is_audited(1, 3, k) ? 1 : 0;
+    const auto due = static_cast<double>(4'000'000 / audit_period / modulus);
     const auto [least, most] = std::ranges::minmax(audited);
     EXPECT_GT(static_cast<double>(least), due - 5 * std::sqrt(due)) << modulus;
     EXPECT_LT(static_cast<double>(most), due + 5 * std::sqrt(due)) << modulus;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "exact/cases/families/draw.h"
@@ -33,6 +34,12 @@ inline int draw_near_levels(Draw& draw, std::span<const int> levels) {
   const bool exactly = draw.below(2) == 0;
   if (exactly) return levels[draw.below(levels.size())];
   return static_cast<int>(draw.between(levels.front(), levels.back()));
+}
+
+/// x·2^e, what std::ldexp gives: without a call where 2^e is a normal number, since one product rounds once as well.
+inline double times_power_of_two(double x, int e) {
+  if (e < -1022 || e > 1023) return std::ldexp(x, e);
+  return x * std::bit_cast<double>(static_cast<std::uint64_t>(e + 1023) << 52);
 }
 
 /// Uniform in [−1, 1] with a full significand of the format.
