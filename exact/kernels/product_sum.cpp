@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <functional>
 
 #include "exact/kernels/expansion.h"
 #include "exact/kernels/expansion_bound.h"
@@ -46,6 +47,7 @@ class Accumulator {
 
   /// By less than 64·words bits.
   void shift_left(int bits) {
+    if (bits == 0) return;
     const auto whole = static_cast<std::size_t>(bits / 64);
     const int rest = bits % 64;
     for (std::size_t i = words; i-- > 0;) {
@@ -135,17 +137,19 @@ void ProductSum::add(double x, double y, double z, bool negative) {
 
 Sign ProductSum::sign() {
   constexpr int decided = 168;
-  std::array<const Product*, most> order;
-  for (std::size_t i = 0; i < count_; ++i) order[i] = &products_[i];
-  std::sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count_),
-            [](const Product* p, const Product* q) { return p->unit > q->unit; });
+  std::array<int, most> order;  // unit · 64 + index
+  for (std::size_t i = 0; i < count_; ++i) order[i] = products_[i].unit * 64 + static_cast<int>(i);
+  std::sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count_), std::greater<>());
   Accumulator sum;
+  int unit = 0;
   for (std::size_t i = 0; i < count_; ++i) {
-    const int shift = i == 0 ? 0 : order[i - 1]->unit - order[i]->unit;
-    const int bits = sum.bits();
-    if (bits > 0 && bits + shift > decided) return sum.sign();
-    if (bits > 0) sum.shift_left(shift);
-    sum.add(order[i]->magnitude, order[i]->negative);
+    const Product& next = products_[static_cast<std::size_t>(order[i] & 63)];
+    if (const int bits = sum.bits(); bits > 0) {
+      if (bits + unit - next.unit > decided) return sum.sign();
+      sum.shift_left(unit - next.unit);
+    }
+    unit = next.unit;
+    sum.add(next.magnitude, next.negative);
   }
   return sum.sign();
 }
