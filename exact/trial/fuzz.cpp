@@ -48,11 +48,17 @@ struct Worker {
   std::vector<Answer> answers{};
 };
 
+bool one_culls(const std::vector<Method>& methods) {
+  return std::ranges::any_of(methods, [](const Method& m) { return m.contract.culling != Culling::none; });
+}
+
 Truth truth_in(const FuzzPlan& plan, std::size_t stream, std::uint64_t k, const Trial& trial, Worker& worker) {
   if (plan.quick == nullptr) return truth_of(trial, k);
-  if (!is_audited(plan.seed, stream, k)) return quick_truth(trial, plan.quick);
-  ++worker.audited;
-  return audited_truth(trial, plan.quick);
+  if (is_audited(plan.seed, stream, k)) {
+    ++worker.audited;
+    return audited_truth(trial, plan.quick);
+  }
+  return one_culls(plan.methods) ? quick_truth_with_facing(trial, plan.quick) : quick_truth(trial, plan.quick);
 }
 
 void make_chunk(const FuzzPlan& plan, std::size_t stream, std::uint64_t first_k, std::uint64_t end_k, Worker& worker) {

@@ -74,7 +74,11 @@ Truth quick_truth(const Trial& trial, ClassBy quick) {
   static const auto by_class = truths_of_classes();
   const ClassId id = trial.class_id != 0 ? trial.class_id : quick(trial.query);
   if (id == 0) contradiction(trial.query, "the certified signs are in no class", "five elements always are");
-  Truth truth = by_class[id];
+  return by_class[id];
+}
+
+Truth quick_truth_with_facing(const Trial& trial, ClassBy quick) {
+  Truth truth = quick_truth(trial, quick);
   truth.facing = facing_in(truth.contact, trial.query, ProductSumKernel{});
   return truth;
 }
@@ -85,7 +89,7 @@ Truth audited_truth(const Trial& trial, ClassBy quick) {
     contradiction(trial.query, "construction says " + class_name(trial.class_id),
                   "the oracles say " + class_name(truth.class_id));
   }
-  const Truth by_quick = quick_truth(trial, quick);
+  const Truth by_quick = quick_truth_with_facing(trial, quick);
   const ClassId certified = quick(trial.query);
   if (certified != truth.class_id || by_quick.facing != truth.facing) {
     contradiction(trial.query, "the certified class is " + class_name(certified),

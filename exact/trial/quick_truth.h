@@ -21,10 +21,13 @@ inline constexpr std::uint64_t audit_period = 256;
 /// preferred, as it would be by a stride.
 bool is_audited(std::uint64_t seed, std::uint64_t stream, std::uint64_t k);
 
-/// By construction where the case knows its class, else by `quick`.
+/// By construction where the case knows its class, else by `quick`. `facing` is left unsaid.
 Truth quick_truth(const Trial& trial, ClassBy quick);
 
-/// The same, after exact_truth, all of whose ways must agree with it and with each other; else the run ends with
+/// The same with `facing`, which only methods that cull turn on.
+Truth quick_truth_with_facing(const Trial& trial, ClassBy quick);
+
+/// The same with `facing`, after exact_truth, all of whose ways must agree with it and with each other; else the run ends with
 /// Exit::oracles_contradict.
 Truth audited_truth(const Trial& trial, ClassBy quick);
 
