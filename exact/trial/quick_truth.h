@@ -27,8 +27,8 @@ Truth quick_truth(const Trial& trial, ClassBy quick);
 /// The same with `facing`, which only methods that cull turn on.
 Truth quick_truth_with_facing(const Trial& trial, ClassBy quick);
 
-/// The same with `facing`, after exact_truth, all of whose ways must agree with it and with each other; else the run ends with
-/// Exit::oracles_contradict.
+/// The same with `facing`, after exact_truth, all of whose ways must agree with it and with each other; else the run
+/// ends with Exit::oracles_contradict.
 Truth audited_truth(const Trial& trial, ClassBy quick);
 
 }  // namespace tribunal
