@@ -22,7 +22,7 @@ BARS = [("batch", "sf-filtered, batch", OURS), ("simd_mt", "Möller–Trumbore, 
         ("batch_avx2", "sf-filtered, batch, AVX2", OURS), ("simd_mt_avx2", "Möller–Trumbore, SIMD, AVX2", UNCERTIFIED),
         ("single", "sf-filtered", OURS), ("scalar_mt", "Möller–Trumbore", UNCERTIFIED),
         ("sf_double", "Segura–Feito, double", UNCERTIFIED), ("epick", "CGAL EPICK", PEER), ("epeck", "CGAL EPECK", PEER),
-        ("sf_rational", "GMP integers", PEER)]
+        ("sf_expansion", "Segura–Feito, expansions", PEER), ("sf_rational", "GMP integers", PEER)]
 
 
 def read(path):

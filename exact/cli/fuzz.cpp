@@ -34,12 +34,14 @@ std::uint64_t cases_of(const Options& o) {
 }
 
 FuzzPlan plan_of(const Options& o, std::vector<Stream> streams) {
-  return {.methods = methods_named(o.methods),
-          .streams = std::move(streams),
-          .seed = o.seed,
-          .cases = cases_of(o),
-          .seconds = o.seconds,
-          .threads = o.threads};
+  FuzzPlan plan{.methods = methods_named(o.methods),
+                .streams = std::move(streams),
+                .seed = o.seed,
+                .cases = cases_of(o),
+                .seconds = o.seconds,
+                .threads = o.threads};
+  plan.quick = quick_class_for(plan.methods, plan.operands());
+  return plan;
 }
 
 struct Row {
@@ -114,6 +116,16 @@ std::string verdicts(const FuzzPlan& plan, const FuzzReport& report) {
   return text + "\n";
 }
 
+/// Who said the exact answers, and how many of them the oracles checked.
+std::string judged_by(const FuzzPlan& plan, const FuzzReport& report) {
+  const std::string oracles = oracles_of(plan.operands());
+  if (plan.operands() == Operands::polygons) return oracles;
+  const std::string known = "construction where a family knows the class, else by ";
+  if (plan.quick == nullptr) return known + oracles;
+  return known + "signs certified one way; " + std::to_string(report.audited) +
+         " cases, drawn by a hash, also by all of: " + oracles + "; all agreed";
+}
+
 Json coverage_json(const FuzzPlan& plan, const FuzzReport& report) {
   Json object = Json::object();
   for (std::size_t m = 0; m < plan.methods.size(); ++m) {
@@ -182,6 +194,8 @@ Json summary(const FuzzPlan& plan, const FuzzReport& report) {
   return {{"seed", plan.seed},
           {"cases", report.cases},
           {triangles ? "classes_judged" : "polygons_judged", coverage_json(plan, report)},
+          {"judged_by", judged_by(plan, report)},
+          {"audited", report.audited},
           {"counts", rows},
           {"faults", faults_json(plan, report)},
           {"environment", environment()}};
@@ -220,7 +234,7 @@ std::string totals(const FuzzPlan& plan, const FuzzReport& report) {
     text += "; " + compact(static_cast<double>(report.run_here)) + " in " + compact(report.seconds) + " s, " +
             compact(static_cast<double>(report.run_here) / report.seconds) + "/s";
   }
-  return text + "\n";
+  return text + "\njudged by " + judged_by(plan, report) + "\n";
 }
 
 void write_findings(const Options& o, const FuzzPlan& plan, const FuzzReport& report) {

@@ -8,6 +8,7 @@ namespace tribunal {
 Method sf_rational();
 Method sf_epick();
 Method sf_epeck();
+Method sf_expansion();
 Method cgal_epick();
 Method cgal_epeck();
 

@@ -83,8 +83,9 @@ std::vector<Row> all_rows() {
       {"sf-double", sf_double, {Role::calibration, Role::charted}},
       {"sf-double-eps", sf_double_eps},
       {"sf-filtered", sf_filtered, {Role::flagship}},
-      {"sf-epick", sf_epick, {Role::generator}},
+      {"sf-epick", sf_epick},
       {"sf-epeck", sf_epeck},
+      {"sf-expansion", sf_expansion},
       {"sf-rational", sf_rational, {Role::reference}},
   };
   for (const Shelf& s : shelf()) {
@@ -128,8 +129,8 @@ bool holds(const Row& row, Role role) { return std::ranges::find(row.roles, role
 }  // namespace
 
 std::string_view name_of(Role role) {
-  constexpr std::array<std::string_view, 6> names = {"reference", "second opinion", "calibration",
-                                                     "flagship",  "generator",      "charted"};
+  constexpr std::array<std::string_view, 5> names = {"reference", "second opinion", "calibration", "flagship",
+                                                     "charted"};
   return names[static_cast<std::size_t>(role)];
 }
 

@@ -18,7 +18,6 @@ enum class Role : std::uint8_t {
   second_opinion,  ///< is asked beside the reference where its contract holds, and must agree with it
   calibration,     ///< is naive, and must be wrong somewhere on a sample that is to have teeth
   flagship,        ///< is exact, fast and certified: the one to use
-  generator,       ///< is exact and quick, and asked by families that search for a case
   charted          ///< stands for the inexact ones on charts, where all of them could not be read
 };
 

@@ -80,6 +80,7 @@ void add_record(const FuzzPlan& plan, FuzzReport& report, const Json& record, co
     report.findings.push_back(finding_from(plan, record, where));
   } else if (kind == "done") {
     report.cases = number_of(record, "cases", where);
+    report.audited = number_of(record, "audited", where);
   } else {
     where.fail("unknown record \"" + kind + "\"");
   }
@@ -94,7 +95,7 @@ void save_checkpoint(const std::string& directory, const FuzzPlan& plan, const F
   log.add(plan_record(plan));
   for (const SampleRow& row : rows_of(plan, report)) log.add(to_record(row));
   for (const Finding& f : report.findings) log.add(finding_record(f));
-  log.add({{"record", "done"}, {"cases", report.cases}});
+  log.add({{"record", "done"}, {"cases", report.cases}, {"audited", report.audited}});
   write_file(checkpoint_path(directory), log.finish());
   for (const char* of_another_run : {"/summary.json", "/counterexamples.jsonl"}) {
     std::filesystem::remove(directory + of_another_run);

@@ -15,8 +15,11 @@
 namespace tribunal {
 namespace {
 
-/// The first finding of each method × stream × slot × fault × outcome × severity, by case number.
-using FirstFindings = std::map<std::tuple<std::size_t, std::size_t, Slot, Status, Outcome, Severity>, Finding>;
+/// Findings of one key stand for each other: method, stream, slot, fault, outcome, severity.
+using Key = std::tuple<std::size_t, std::size_t, Slot, Status, Outcome, Severity>;
+
+/// The first finding of each key, by case number.
+using FirstFindings = std::map<Key, Finding>;
 
 void keep_first(FirstFindings& kept, const Finding& f) {
   const auto [entry, fresh] =
@@ -24,31 +27,54 @@ void keep_first(FirstFindings& kept, const Finding& f) {
   if (!fresh && f.k < entry->second.k) entry->second = f;
 }
 
-struct Worker {
-  CountTable counts;
-  FirstFindings findings{};
-  std::uint64_t wrong = 0;
-  std::vector<Answer> answers{};
-};
+/// Whether an earlier case has been kept that stands for case k.
+bool has_earlier(const FirstFindings& kept, const Key& key, std::uint64_t k) {
+  const auto entry = kept.find(key);
+  return entry != kept.end() && entry->second.k <= k;
+}
 
 /// Consecutive cases of one stream: number first_k onwards.
 struct Chunk {
-  std::size_t stream;
-  std::uint64_t first_k;
+  std::size_t stream = 0;
+  std::uint64_t first_k = 0;
   std::vector<Trial> trials{};
   std::vector<Truth> truths{};
-  std::vector<Query> queries{};
 };
 
-Chunk make_chunk(const FuzzPlan& plan, std::size_t stream, std::uint64_t first_k, std::uint64_t end_k) {
-  Chunk chunk{stream, first_k};
+/// The chunk and the answers to it keep their memory from one to the next.
+struct Worker {
+  CountTable counts;
+  FirstFindings findings{};
+  std::uint64_t wrong = 0, audited = 0;
+  Chunk chunk{};
+  std::vector<TrianglePair> pairs{};
+  std::vector<Answer> answers{};
+};
+
+bool one_culls(const std::vector<Method>& methods) {
+  return std::ranges::any_of(methods, [](const Method& m) { return m.contract.culling != Culling::none; });
+}
+
+Truth truth_in(const FuzzPlan& plan, std::size_t stream, std::uint64_t k, const Trial& trial, Worker& worker) {
+  if (plan.quick == nullptr) return truth_of(trial, k);
+  if (is_audited(plan.seed, stream, k)) {
+    ++worker.audited;
+    return audited_truth(trial, plan.quick);
+  }
+  return one_culls(plan.methods) ? quick_truth_with_facing(trial, plan.quick) : quick_truth(trial, plan.quick);
+}
+
+void make_chunk(const FuzzPlan& plan, std::size_t stream, std::uint64_t first_k, std::uint64_t end_k, Worker& worker) {
+  Chunk& chunk = worker.chunk;
+  chunk.stream = stream;
+  chunk.first_k = first_k;
+  chunk.trials.clear();
+  chunk.truths.clear();
   const Stream& source = plan.streams[stream];
   for (std::uint64_t k = first_k; k < end_k; ++k) {
     chunk.trials.push_back(source.family->make(source.format, plan.seed, k));
-    chunk.truths.push_back(truth_of(chunk.trials.back(), k));
-    chunk.queries.push_back(chunk.trials.back().query);
+    chunk.truths.push_back(truth_in(plan, stream, k, chunk.trials.back(), worker));
   }
-  return chunk;
 }
 
 /// A method that leaves its thread in another environment would spoil every answer after its own, oracles included.
@@ -59,17 +85,18 @@ void require_intact_rounding(const Method& method) {
                 method.name + " changed the floating-point environment of its thread (rounding, or flush to zero)");
 }
 
-void ask_one_by_one(const Method& method, const std::vector<Query>& queries, std::vector<Answer>& answers) {
-  std::ranges::transform(queries, answers.begin(), [&](const Query& query) { return method.ask(query); });
-}
-
 /// In one call where the method has a form for that, of triangles.
-void ask_all(const Method& method, Operands operands, const std::vector<Query>& queries, std::vector<Answer>& answers) {
+void ask_all(const Method& method, Operands operands, Worker& worker) {
+  const std::vector<Trial>& trials = worker.chunk.trials;
+  worker.answers.resize(trials.size());
   const auto& at_once = method.batch ? method.batch : method.ask_each;
-  if (operands == Operands::polygons || !at_once) return ask_one_by_one(method, queries, answers);
-  std::vector<TrianglePair> pairs(queries.size());
-  std::ranges::transform(queries, pairs.begin(), pair_of);
-  at_once(pairs, answers);
+  if (operands == Operands::polygons || !at_once) {
+    std::ranges::transform(trials, worker.answers.begin(), [&](const Trial& t) { return method.ask(t.query); });
+    return;
+  }
+  worker.pairs.resize(trials.size());
+  std::ranges::transform(trials, worker.pairs.begin(), [](const Trial& t) { return pair_of(t.query); });
+  at_once(worker.pairs, worker.answers);
 }
 
 /// The answer, if the method says the same alone; else the fault. Checked where a batch is wrong, and on every 17th
@@ -84,27 +111,30 @@ Answer held_against_ask(const Method& method, const Query& query, const Answer& 
   return same ? answer : refusal(Status::differs_in_batch);
 }
 
-void judge_chunk(const FuzzPlan& plan, const Chunk& chunk, std::size_t m, Worker& worker) {
+void judge_chunk(const FuzzPlan& plan, std::size_t m, Worker& worker) {
   const Method& method = plan.methods[m];
-  worker.answers.resize(chunk.queries.size());
-  ask_all(method, plan.operands(), chunk.queries, worker.answers);
+  const Chunk& chunk = worker.chunk;
+  ask_all(method, plan.operands(), worker);
   require_intact_rounding(method);
   TwinQuota quota;
   for (std::size_t i = 0; i < chunk.trials.size(); ++i) {
     const auto& trial = chunk.trials[i];
     const auto& truth = chunk.truths[i];
     Answer answer = worker.answers[i];
-    if (i % 17 == 0 || is_wrong(judge(method, truth, answer))) {
-      answer = held_against_ask(method, chunk.queries[i], answer);
+    Outcome outcome = judge(method, truth, answer);
+    if (i % 17 == 0 || is_wrong(outcome)) {
+      answer = held_against_ask(method, trial.query, answer);
+      outcome = judge(method, truth, answer);
     }
-    const Outcome outcome = judge(method, truth, answer);
     Count& count = worker.counts.at({m, chunk.stream, trial.level, slot_of(trial, truth)});
     count.add(outcome, answer.stage);
     if (!is_wrong(outcome)) continue;
     ++worker.wrong;
+    const std::uint64_t k = chunk.first_k + i;
     const Severity severity = severity_of(trial.query, truth);
-    count.add_wrong(severity, quota.cause_of(method, trial.query, truth, outcome, severity, chunk.first_k + i));
-    keep_first(worker.findings, {m, chunk.stream, chunk.first_k + i, trial, truth, answer, outcome, severity});
+    count.add_wrong(severity, quota.cause_of(method, trial.query, truth, outcome, severity, k));
+    if (has_earlier(worker.findings, {m, chunk.stream, slot_of(truth), answer.status, outcome, severity}, k)) continue;
+    keep_first(worker.findings, {m, chunk.stream, k, trial, truth, answer, outcome, severity});
   }
 }
 
@@ -113,9 +143,9 @@ void run_cases(const FuzzPlan& plan, std::uint64_t first, std::uint64_t end, Wor
   const std::uint64_t n = plan.streams.size();
   const auto number_below = [n](std::uint64_t g, std::uint64_t stream) { return (g + n - 1 - stream) / n; };
   for (std::size_t stream = 0; stream < n; ++stream) {
-    const Chunk chunk = make_chunk(plan, stream, number_below(first, stream), number_below(end, stream));
+    make_chunk(plan, stream, number_below(first, stream), number_below(end, stream), worker);
     for (std::size_t m = 0; m < plan.methods.size(); ++m) {
-      if (takes(plan.methods[m], plan.streams[stream].format)) judge_chunk(plan, chunk, m, worker);
+      if (takes(plan.methods[m], plan.streams[stream].format)) judge_chunk(plan, m, worker);
     }
   }
 }
@@ -148,6 +178,7 @@ void run_slice(const FuzzPlan& plan, FuzzReport& report, Progress& progress, con
   for (const auto& f : report.findings) keep_first(kept, f);
   for (const Worker& w : workers) {
     report.counts += w.counts;
+    report.audited += w.audited;
     for (const auto& [key, finding] : w.findings) keep_first(kept, finding);
   }
   report.findings = in_order(kept, plan.streams.size());
@@ -185,6 +216,11 @@ FuzzReport fuzz(const FuzzPlan& plan, FuzzReport so_far, const Checkpoint& check
 }
 
 FuzzReport fuzz(const FuzzPlan& plan) { return fuzz(plan, empty_report(plan), {}); }
+
+ClassBy quick_class_for(const std::vector<Method>& methods, Operands operands) {
+  const bool one_is_exact = std::ranges::any_of(methods, [](const Method& m) { return m.contract.exact; });
+  return one_is_exact || operands == Operands::polygons ? nullptr : certified_class;
+}
 
 std::uint64_t block_size_of(Operands operands) { return operands == Operands::triangles ? 2048 : 256; }
 

@@ -10,6 +10,7 @@
 #include "exact/base/fault.h"
 #include "exact/cases/families/family.h"
 #include "exact/trial/count_table.h"
+#include "exact/trial/quick_truth.h"
 
 namespace tribunal {
 
@@ -26,6 +27,8 @@ struct FuzzPlan {
   std::uint64_t cases = 0;  ///< in all, dealt to the streams in turn
   double seconds = 0;       ///< if > 0, stop after that time instead; `cases` is then a ceiling
   unsigned threads = 1;
+  ClassBy quick = nullptr;  ///< of triangles: judges all cases, of which the oracles audit a share; if none, the
+                            ///< oracles judge them all
 
   Operands operands() const { return streams.front().family->operands; }
 };
@@ -51,6 +54,7 @@ struct Finding {
 struct FuzzReport {
   std::uint64_t cases = 0;     ///< from the plan's first
   std::uint64_t run_here = 0;  ///< of these, in this run
+  std::uint64_t audited = 0;   ///< of all, judged by `quick` and by the oracles, which agreed
   double seconds = 0;          ///< of this run
   CountTable counts;
   std::vector<Finding> findings;  ///< the first of each method × stream × slot × fault × outcome × severity, by case
@@ -68,6 +72,10 @@ using Checkpoint = std::function<void(const FuzzReport&)>;
 /// not what is said of them. A method with a batch form is asked by it.
 FuzzReport fuzz(const FuzzPlan& plan, FuzzReport so_far, const Checkpoint& checkpoint);
 FuzzReport fuzz(const FuzzPlan& plan);
+
+/// What may judge the answers of these methods quickly: nothing if one of them promises to be exact, so that no
+/// certified arithmetic is judged by its like; and nothing where the operands are polygons.
+ClassBy quick_class_for(const std::vector<Method>& methods, Operands operands);
 
 /// Cases that a thread runs at a time: polygons have slower oracles.
 std::uint64_t block_size_of(Operands operands);

@@ -106,7 +106,8 @@ TEST_P(ExactMethods, AnswerEveryClassInEveryOrderAndFrame) {
   EXPECT_EQ(asked, 93'888);
 }
 
-INSTANTIATE_TEST_SUITE_P(Kernels, ExactMethods, testing::Values("sf-rational", "sf-filtered", "sf-epick", "sf-epeck"),
+INSTANTIATE_TEST_SUITE_P(Kernels, ExactMethods,
+                         testing::Values("sf-rational", "sf-filtered", "sf-epick", "sf-epeck", "sf-expansion"),
                          [](const auto& tested) { return std::string(tested.param).substr(3); });
 
 /// CGAL's own test within its preconditions, and what lies outside them.

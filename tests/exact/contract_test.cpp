@@ -275,7 +275,7 @@ TEST(Prepared, FormsAnswerAsTheMethodDoes) {
 }
 
 TEST(Roles, AreHeldByMethodsThatFitThem) {
-  for (const Role role : {Role::reference, Role::second_opinion, Role::flagship, Role::generator}) {
+  for (const Role role : {Role::reference, Role::second_opinion, Role::flagship}) {
     ASSERT_EQ(methods_with(role).size(), 1U) << name_of(role);
     EXPECT_EQ(methods_with(role).front().name, method_with(role).name);
     EXPECT_TRUE(method_with(role).contract.exact) << name_of(role);

@@ -9,6 +9,8 @@
 #include "core/tolerance_kernel.h"
 #include "exact/cases/families/draw.h"
 #include "exact/filtered/filtered_kernel.h"
+#include "exact/kernels/expansion_kernel.h"
+#include "exact/kernels/product_sum.h"
 #include "exact/kernels/rational_kernel.h"
 #include "exact/methods/cgal_kernels.h"
 
@@ -44,9 +46,11 @@ class Corpus {
 
 Point3 scaled(const Point3& p, int e) { return {std::ldexp(p.x, e), std::ldexp(p.y, e), std::ldexp(p.z, e)}; }
 
-using AllKernels = testing::Types<FormulaKernel<float>, FormulaKernel<double>, ToleranceKernel, FilteredKernel,
-                                  EpickKernel, EpeckKernel, RationalKernel, FormulaKernel<mpq_class>>;
-using ExactKernels = testing::Types<FilteredKernel, EpickKernel, EpeckKernel, RationalKernel, FormulaKernel<mpq_class>>;
+using AllKernels =
+    testing::Types<FormulaKernel<float>, FormulaKernel<double>, ToleranceKernel, FilteredKernel, EpickKernel,
+                   EpeckKernel, ExpansionKernel, ProductSumKernel, RationalKernel, FormulaKernel<mpq_class>>;
+using ExactKernels = testing::Types<FilteredKernel, EpickKernel, EpeckKernel, ExpansionKernel, ProductSumKernel,
+                                    RationalKernel, FormulaKernel<mpq_class>>;
 
 template <class K>
 class KernelLaws : public testing::Test {};

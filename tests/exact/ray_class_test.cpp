@@ -224,7 +224,7 @@ TEST_P(ExactMethodsOnRays, AnswerEveryClassInEveryOrderAndFrame) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Kernels, ExactMethodsOnRays,
-                         testing::Values("sf-rational", "sf-filtered", "sf-epick", "sf-epeck"),
+                         testing::Values("sf-rational", "sf-filtered", "sf-epick", "sf-epeck", "sf-expansion"),
                          [](const auto& tested) { return std::string(tested.param).substr(3); });
 
 }  // namespace

@@ -94,7 +94,7 @@ TEST(WildCases, EveryTriangleHasItsContactByEveryExactMethod) {
       }
     }
   }
-  EXPECT_EQ(judged, 174);
+  EXPECT_EQ(judged, 208);
   EXPECT_EQ(refused, 30) << "29 rays to cgal-epick, one degenerate triangle to cgal-epeck";
 }
 

@@ -48,7 +48,7 @@ Point3 image(const AffineMap& map, const std::array<int, 3>& x) {
   Point3 y;
   for (std::size_t i = 0; i < 3; ++i) {
     const auto sum = static_cast<double>(coordinate(map, i, x, map.offset[i]));
-    y[static_cast<int>(i)] = map.scale[i] == 0 ? sum : std::ldexp(sum, map.scale[i]);
+    y[static_cast<int>(i)] = map.scale[i] == 0 ? sum : times_power_of_two(sum, map.scale[i]);
   }
   return y;
 }

@@ -2,7 +2,7 @@
 #include "exact/cases/families/probe.h"
 #include "exact/cases/families/shapes.h"
 #include "exact/cases/families/table.h"
-#include "exact/methods/methods.h"
+#include "exact/filtered/filtered.h"
 
 namespace tribunal {
 namespace {
@@ -11,10 +11,9 @@ constexpr int no_levels[] = {0};
 
 std::span<const int> levels(Format) { return no_levels; }
 
-/// Asked some fifty times a case. The oracles judge what comes out.
-bool hits(const Query& query) {
-  static const Method& exact = method_with(Role::generator);
-  return exact.ask(query).hit;
+/// By the certified test, some fifty times a case. It only finds the case: others judge what comes out.
+bool meets(const Query& query) {
+  return std::visit([&](const auto& probe) { return hits(probe, query.triangle()); }, query.probe);
 }
 
 Point3& start_of(Probe& probe) {
@@ -27,7 +26,7 @@ void bisect(const Query& query, double& x, double out, Format format, bool keep_
   double in = x;
   const auto hits_at = [&](double value) {
     x = value;
-    return hits(query);
+    return meets(query);
   };
   const bool flips = hits_at(in) && !hits_at(out);
   for (double middle = in_format(in + (out - in) / 2, format); flips && middle != in && middle != out;

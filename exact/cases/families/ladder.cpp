@@ -11,7 +11,7 @@ namespace tribunal {
 double Ladder::draw_number(Draw& draw) const {
   const auto rung = static_cast<int>(draw.between(-3, 3));
   if (rung == 0) return draw.below(2) == 0 ? 0.0 : -0.0;
-  return std::ldexp(rung > 0 ? m : -m, low + half * (std::abs(rung) - 1));
+  return times_power_of_two(rung > 0 ? m : -m, low + half * (std::abs(rung) - 1));
 }
 
 Ladder draw_ladder(Draw& draw, Format format, int spread) {

@@ -64,7 +64,7 @@ Scaled difference(double from, double to, Format format) {
   int e = 0;
   const double fraction = std::frexp(overflows ? to / 2 - from / 2 : whole, &e);
   const int digits = digits_of(format);
-  return {std::llrint(std::ldexp(fraction, digits)), e - digits + (overflows ? 1 : 0)};
+  return {std::llrint(times_power_of_two(fraction, digits)), e - digits + (overflows ? 1 : 0)};
 }
 
 ExponentRange exact_exponents(const std::array<Scaled, 3>& d, Format format) {
@@ -78,7 +78,7 @@ ExponentRange exact_exponents(const std::array<Scaled, 3>& d, Format format) {
 }
 
 Direction scaled(const std::array<Scaled, 3>& d, int e) {
-  const auto at = [&](std::size_t axis) { return std::ldexp(static_cast<double>(d[axis].m), d[axis].e + e); };
+  const auto at = [&](std::size_t axis) { return times_power_of_two(static_cast<double>(d[axis].m), d[axis].e + e); };
   return {{at(0), at(1), at(2)}};
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "exact/cases/families/draw.h"
@@ -35,11 +36,17 @@ inline int draw_near_levels(Draw& draw, std::span<const int> levels) {
   return static_cast<int>(draw.between(levels.front(), levels.back()));
 }
 
+/// x·2^e, what std::ldexp gives: without a call where 2^e is a normal number, since one product rounds once as well.
+inline double times_power_of_two(double x, int e) {
+  if (e < -1022 || e > 1023) return std::ldexp(x, e);
+  return x * std::bit_cast<double>(static_cast<std::uint64_t>(e + 1023) << 52);
+}
+
 /// Uniform in [−1, 1] with a full significand of the format.
 inline double draw_real(Draw& draw, Format format) {
   const int digits = digits_of(format);
   const std::int64_t limit = std::int64_t{1} << digits;
-  return std::ldexp(static_cast<double>(draw.between(-limit, limit)), -digits);
+  return static_cast<double>(draw.between(-limit, limit)) / static_cast<double>(limit);
 }
 
 inline Point3 draw_point(Draw& draw, Format format) {

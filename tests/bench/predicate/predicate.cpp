@@ -16,7 +16,10 @@
 #include "core/segura_feito.h"
 #include "exact/filtered/batch.h"
 #include "exact/filtered/filtered.h"
+#include "exact/filtered/filtered_kernel.h"
+#include "exact/kernels/expansion_kernel.h"
 #include "exact/kernels/rational_kernel.h"
+#include "exact/methods/cgal_kernels.h"
 #include "exact/methods/methods.h"
 #include "tests/bench/medians.h"
 #include "tests/bench/predicate/pairs.h"
@@ -123,11 +126,25 @@ void time_rays(const std::string& population, const PairTable& table) {
   }
 }
 
+template <Kernel K>
+void time_kernel(const std::string& method, const std::string& population, const PairTable& table, const K& k) {
+  time_single(method, population, table,
+              [k](const Segment& s, const Triangle& t) { return segura_feito(s, t, k).hit; });
+}
+
+/// The five exact arithmetics under one source, `segura_feito`.
+void time_exact_kernels(const std::string& population, const PairTable& table) {
+  time_kernel("sf_filtered", population, table, FilteredKernel{});
+  time_kernel("sf_epick", population, table, EpickKernel{});
+  time_kernel("sf_epeck", population, table, EpeckKernel{});
+  time_kernel("sf_expansion", population, table, ExpansionKernel{});
+  time_kernel("sf_rational", population, table, RationalKernel{});
+}
+
 void time_exact_peers(const std::string& population, const PairTable& table) {
   time_single("epick", population, table, epick);
   time_single("epeck", population, table, epeck);
-  time_single("sf_rational", population, table,
-              [](const Segment& s, const Triangle& t) { return segura_feito(s, t, RationalKernel{}).hit; });
+  time_exact_kernels(population, table);
 }
 
 /// Lives as long as the benchmarks do.
@@ -149,10 +166,8 @@ void register_all() {
     time_single(
         "epick_checked", population, table,
         [test = find_method("cgal-epick")->segment](const Segment& s, const Triangle& t) { return test(s, t).hit; });
-    time_single("sf_double", population, table,
-                [](const Segment& s, const Triangle& t) { return segura_feito(s, t, FormulaKernel<double>{}).hit; });
-    time_single("sf_rational", population, table,
-                [](const Segment& s, const Triangle& t) { return segura_feito(s, t, RationalKernel{}).hit; });
+    time_kernel("sf_double", population, table, FormulaKernel<double>{});
+    time_exact_kernels(population, table);
   }
   time_rays("rays_7", kept(random_rays(in_second_level_cache, 7)));
   time_batches("one_against_many", kept(one_segment_pairs(in_second_level_cache)), true);
@@ -191,6 +206,7 @@ void print_ratios(const Medians& m) {
   m.print_ratio("epick_checked_over_batch", "hits_7/epick_checked", "hits_7/batch");
   m.print_ratio("epick_over_single", "hits_7/epick", "hits_7/single");
   m.print_ratio("epeck_over_single", "hits_7/epeck", "hits_7/single");
+  m.print_ratio("expansion_over_single", "hits_7/sf_expansion", "hits_7/single");
   m.print_ratio("rational_over_single", "hits_7/sf_rational", "hits_7/single");
   m.print_ratio("sf_double_over_single", "hits_7/sf_double", "hits_7/single");
   for (const char* percent : {"0", "50", "100"}) {
