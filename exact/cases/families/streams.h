@@ -58,6 +58,7 @@ inline constexpr RandomStreams random_streams[] = {
     {"benchmark polygons", 950, 2},
     {"triangle relations", 1000, 100},
     {"chart general", 1100},
+    {"leak rays", 1200},
 };
 
 /// In ascending order and nowhere two of one number.
