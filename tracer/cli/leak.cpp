@@ -9,9 +9,11 @@
 #include "exact/mesh/read_mesh.h"
 #include "exact/mesh/triangulate.h"
 #include "exact/methods/methods.h"
+#include "exact/plugin/load.h"
 #include "exact/record/counterexample.h"
 #include "exact/record/environment.h"
 #include "tracer/cli/command.h"
+#include "tracer/leak/mesh_subject.h"
 #include "tracer/leak/report.h"
 
 namespace tribunal {
@@ -29,10 +31,13 @@ struct Options {
 
 bool takes_rays(const Method& m) { return m.contract.probes.rays && m.contract.triangles != Triangles::none; }
 
-/// The methods named; else the flagship, all that make no promise of being exact, and what plugins added.
+/// The methods named; else those of plugins, if there are plugins; else the flagship, and all that are not exact.
 std::vector<Method> methods_of(const Options& o) {
   if (!o.methods.empty()) return methods_named(o.methods);
-  std::vector<Method> methods = {flagship_method()};
+  std::vector<Method> methods;
+  for (const std::string& name : loaded_methods()) methods.push_back(*find_method(name));
+  if (!loaded_methods().empty() || !loaded_meshes().empty()) return methods;
+  methods.push_back(flagship_method());
   for (const Method& m : all_methods()) {
     if (!m.contract.exact && m.contract.triangles != Triangles::none) methods.push_back(m);
   }
@@ -80,21 +85,40 @@ struct Trial {
   int signal = 0;
 };
 
+/// "my-tree/closest" as part of a file's name.
+std::string file_name(const Subject& subject) {
+  std::string name = subject.name;
+  std::ranges::replace(name, '/', '-');
+  return name;
+}
+
 void add_findings(Trial& trial, const Options& o, const Surface& surface, const Subject& subject,
                   const SubjectReport& report) {
   const auto cases = cases_of(surface, subject, report, std::filesystem::path(o.mesh).filename().string(), o.seed);
   trial.cases.insert(trial.cases.end(), cases.begin(), cases.end());
-  const std::string file = subject.name + "-" + std::string(name_of(surface.format())) + ".ply";
+  const std::string file = file_name(subject) + "-" + std::string(name_of(surface.format())) + ".ply";
   if (has_erred(report)) trial.pictures.emplace_back(file, painted(surface, report));
+}
+
+/// All that take the surface's format: methods, face by face, and the trees of plugins.
+std::vector<Subject> subjects_on(const Surface& surface, const std::vector<Method>& methods) {
+  const auto takes_format = [&](const Contract& c) {
+    return c.format == Format::binary64 || surface.format() == Format::binary32;
+  };
+  std::vector<Subject> subjects;
+  for (const Method& m : methods) {
+    if (takes_rays(m) && takes_format(m.contract)) subjects.push_back(subject_of(m, surface));
+  }
+  for (const MeshPlugin& plugin : loaded_meshes()) {
+    if (!takes_format(plugin.contract)) continue;
+    for (Subject& s : subjects_of(plugin, surface)) subjects.push_back(std::move(s));
+  }
+  return subjects;
 }
 
 Trial run_format(const Options& o, const Mesh& mesh, const std::vector<Method>& methods, Format format) {
   const Surface surface(mesh, format, o.mesh);
-  std::vector<Subject> subjects;
-  for (const Method& m : methods) {
-    const bool takes_format = m.contract.format == Format::binary64 || format == Format::binary32;
-    if (takes_rays(m) && takes_format) subjects.push_back(subject_of(m, surface));
-  }
+  const std::vector<Subject> subjects = subjects_on(surface, methods);
   if (subjects.empty()) return {};
   const LeakReport report = run_leak_trial(
       surface, subjects,
@@ -169,7 +193,8 @@ Action declare_leak(Arguments& arguments) {
   const auto o = std::make_shared<Options>();
   arguments.option("MESH", o->mesh, "mesh file (OFF, OBJ, PLY, STL)").required();
   arguments.option("--method", o->methods,
-                   "methods, separated by commas (default: the certified one, and all that are not exact)");
+                   "methods, separated by commas (default: those of plugins; without any, the certified one and all "
+                   "that are not exact)");
   arguments.option("--format", o->format, "of the rays, and of the mesh, which is rounded to it")
       .one_of({"binary64", "binary32", "both"})
       .shows_default();
@@ -183,7 +208,8 @@ Action declare_leak(Arguments& arguments) {
   arguments.flag("--by-aim", o->by_aim, "show rays aimed at vertices, edges and faces apart");
   arguments.flag("--every-face", o->every_face, "ask about every face, not only those whose boxes the ray meets");
   arguments.flag("--json", o->json, "all counts as JSON instead of the table");
-  return with_plugins(arguments, [o] { return run(*o); });
+  return with_plugins(
+      arguments, [o] { return run(*o); }, MayIsolate::no);
 }
 
 }  // namespace tribunal

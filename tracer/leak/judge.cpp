@@ -98,6 +98,7 @@ class Trial {
     }
     if (hits.empty() && some_hit_is_due()) lose();
     if (names_a_face_twice(hits)) verdict_.add(Outcome::double_hit, hits.front().face);
+    if (subject_.sorted) judge_order(hits);
   }
 
   void judge_place(std::size_t i, const std::vector<Reported>& hits, std::vector<std::uint32_t>& missed) {
@@ -123,6 +124,22 @@ class Trial {
     const Boundary boundary = subject_.contract.boundary;
     const bool to_one = boundary == Boundary::half_open || boundary == Boundary::open;
     if (to_one && due_[i] && reported % 2 == 0) verdict_.add(Outcome::double_hit, a_face_at(i));
+  }
+
+  /// Of the hits at places, none comes after one of a later place.
+  void judge_order(const std::vector<Reported>& hits) {
+    std::size_t latest = 0;
+    for (const Reported& hit : hits) {
+      const std::size_t place = place_of(hit.face);
+      if (place == truth_.places.size()) continue;
+      if (place < latest) verdict_.add(Outcome::order, hit.face);
+      latest = std::max(latest, place);
+    }
+  }
+
+  std::size_t place_of(std::uint32_t face) const {
+    const auto found = std::ranges::find_if(truth_.places, [&](const Place& p) { return is_at(p, face); });
+    return static_cast<std::size_t>(found - truth_.places.begin());
   }
 
   static bool names_a_face_twice(const std::vector<Reported>& hits) {

@@ -30,20 +30,21 @@ struct Column {
   bool (*told)(const Subject&);
 };
 
-bool always(const Subject&) { return true; }
+bool tells_hits(const Subject& s) { return s.tells_hits; }
 bool tells_parity(const Subject& s) { return s.tells_parity; }
 bool tells_closest(const Subject& s) { return s.tells_closest; }
+bool tells_order(const Subject& s) { return s.tells_closest || s.sorted; }
 
 constexpr Column columns[] = {
-    {"leaks", Outcome::leak, always},          {"lost", Outcome::lost, always},
-    {"false", Outcome::false_hit, always},     {"double", Outcome::double_hit, always},
+    {"leaks", Outcome::leak, tells_hits},      {"lost", Outcome::lost, tells_hits},
+    {"false", Outcome::false_hit, tells_hits}, {"double", Outcome::double_hit, tells_hits},
     {"parity", Outcome::parity, tells_parity}, {"closest", Outcome::closest, tells_closest},
-    {"order", Outcome::order, tells_closest},  {"neighbour", Outcome::neighbour, always},
-    {"twice", Outcome::twice, always},         {"outline", Outcome::outline, always},
+    {"order", Outcome::order, tells_order},    {"neighbour", Outcome::neighbour, tells_hits},
+    {"twice", Outcome::twice, tells_hits},     {"outline", Outcome::outline, tells_hits},
 };
 
 std::string heading(bool by_aim) {
-  std::string text = "per million rays      format    ";
+  std::string text = "per million rays                   format    ";
   char cell[32];
   if (by_aim) text += "aimed at ";
   for (const Column& c : columns) {
@@ -56,7 +57,7 @@ std::string heading(bool by_aim) {
 std::string row(const Subject& subject, const std::string& name, Format format, const AimTally& tally,
                 const char* aim) {
   char cell[64];
-  std::snprintf(cell, sizeof cell, "%-21s %-10s", name.c_str(), std::string(name_of(format)).c_str());
+  std::snprintf(cell, sizeof cell, "%-34s %-10s", name.c_str(), std::string(name_of(format)).c_str());
   std::string text = cell;
   if (aim != nullptr) {
     std::snprintf(cell, sizeof cell, "%-9s", aim);
@@ -72,7 +73,7 @@ std::string row(const Subject& subject, const std::string& name, Format format, 
   return text + "\n";
 }
 
-/// "all aimed at edges", or "aimed at vertices 3.1, edges 12.0, faces 0.4".
+/// "all aimed at edges", or "3.1 of those aimed at vertices, 12.0 at edges".
 std::string by_aim(const LeakTally& tally) {
   constexpr const char* plurals[aim_count] = {"vertices", "edges", "faces"};
   std::string text;
@@ -80,21 +81,29 @@ std::string by_aim(const LeakTally& tally) {
   for (std::size_t a = 0; a < aim_count; ++a) {
     const AimTally& t = tally.by_aim[a];
     if (t[Outcome::leak] == 0) continue;
-    text +=
-        (aims++ == 0 ? "of those aimed at " : ", ") + std::string(plurals[a]) + " " + rate(t[Outcome::leak], t.rays);
+    const std::string how_often = rate(t[Outcome::leak], t.rays);
+    text += (aims++ == 0 ? how_often + " of those aimed at " : ", " + how_often + " at ") + plurals[a];
     last = a;
   }
   return aims == 1 ? "all aimed at " + std::string(plurals[last]) : text;
 }
 
+/// Errors beside leaks, as the verdict names them.
+struct ErrorName {
+  Outcome outcome;
+  const char* text;
+};
+
+constexpr ErrorName error_names[] = {{Outcome::false_hit, "false hits"},  {Outcome::double_hit, "double hits"},
+                                     {Outcome::closest, "wrong closest"}, {Outcome::order, "wrong order"},
+                                     {Outcome::parity, "wrong parity"},   {Outcome::wrong_t, "t beyond its promise"}};
+
 std::string other_errors(const AimTally& all) {
   std::string text;
-  for (const Outcome o :
-       {Outcome::false_hit, Outcome::double_hit, Outcome::closest, Outcome::parity, Outcome::wrong_t}) {
-    if (all[o] == 0) continue;
-    const std::uint64_t of = o == Outcome::parity ? all.parity_judged : all.rays;
-    text += (text.empty() ? "; " : ", ") + std::string(o == Outcome::parity || o == Outcome::closest ? "wrong " : "") +
-            (o == Outcome::wrong_t ? "t beyond its promise" : std::string(name_of(o))) + " " + rate(all[o], of);
+  for (const auto& [outcome, name] : error_names) {
+    if (all[outcome] == 0) continue;
+    const std::uint64_t of = outcome == Outcome::parity ? all.parity_judged : all.rays;
+    text += (text.empty() ? "; " : ", ") + std::string(name) + " " + rate(all[outcome], of);
   }
   return text;
 }
@@ -131,13 +140,18 @@ std::string table(const std::vector<Subject>& subjects, const LeakReport& report
 
 std::string verdict(const Subject& subject, const SubjectReport& report, Format format) {
   const AimTally all = report.tally.all();
-  std::string text = subject.name + ", " + std::string(name_of(format)) + " rays: ";
-  if (all[Outcome::leak] == 0) {
-    text += "watertight on these " + std::to_string(all.rays) + " rays";
-  } else {
-    text += "leaks: " + rate(all[Outcome::leak], all.rays) + " per million rays, " + by_aim(report.tally);
+  const std::string who = subject.name + ", " + std::string(name_of(format)) + " rays: ";
+  if (!subject.tells_hits) {
+    const std::string rays = std::to_string(all.parity_judged) + " rays\n";
+    if (all[Outcome::parity] == 0) return who + "right about inside and outside on these " + rays;
+    return who + "wrong about inside and outside: " + rate(all[Outcome::parity], all.parity_judged) +
+           " per million of these " + rays;
   }
-  return text + other_errors(all) + "\n";
+  if (all[Outcome::leak] == 0) {
+    return who + "watertight on these " + std::to_string(all.rays) + " rays" + other_errors(all) + "\n";
+  }
+  return who + "leaks: " + rate(all[Outcome::leak], all.rays) + " per million rays, " + by_aim(report.tally) +
+         other_errors(all) + "\n";
 }
 
 bool has_erred(const SubjectReport& report) {

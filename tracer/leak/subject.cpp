@@ -14,7 +14,8 @@ class FaceByFace {
 
   bool counts_faces() const { return method_.contract.boundary == Boundary::half_open; }
   bool tells_t() const { return method_.parameter != nullptr; }
-  bool tells_order() const { return tells_t() || method_.compare_hits != nullptr; }
+  bool has_order() const { return method_.compare_hits != nullptr; }
+  bool tells_order() const { return has_order() || tells_t(); }
 
   Testimony ask(const AskedRay& asked) const {
     std::vector<Reported> hits = hits_of(asked);
@@ -42,7 +43,7 @@ class FaceByFace {
 
   /// Sign of t₁ − t₂.
   Sign compare(const Ray& ray, const Reported& a, const Reported& b) const {
-    if (tells_t()) return sign_of(*a.t - *b.t);
+    if (!has_order()) return sign_of(*a.t - *b.t);
     return method_.compare_hits(ray, surface_.triangle(a.face), surface_.triangle(b.face));
   }
 
@@ -71,11 +72,11 @@ class FaceByFace {
 
 std::string what_is_told(const FaceByFace& m) {
   std::string text = "asked face by face";
-  if (m.tells_order()) text += m.tells_t() ? "; closest by t" : "; closest by its order of hits";
+  if (m.tells_order()) text += m.has_order() ? "; closest by its order of hits" : "; closest by t";
   if (m.counts_faces()) return text + "; parity of the number of faces";
   if (!m.tells_order()) return text + "; no parity: it tells no order of hits";
   return text +
-         (m.tells_t() ? "; parity of the number of different t" : "; parity of the hits that its order tells apart");
+         (m.has_order() ? "; parity of the hits that its order tells apart" : "; parity of the number of different t");
 }
 
 }  // namespace

@@ -38,17 +38,18 @@ struct Subject {
   std::string name;
   Contract contract{};
   std::string told;  ///< one line: what is asked, and how parity and the closest hit are made of it
-  bool tells_parity = false, tells_closest = false;
-  bool parity_where_touching =
-      false;             ///< it is to be right too where the ray touches an edge or a vertex from one side
+  bool tells_hits = true, tells_parity = false, tells_closest = false;
+  bool sorted = false;  ///< its list of hits is to begin with the nearest
+  /// Whether parity is to be right too where the ray touches an edge or a vertex from one side.
+  bool parity_where_touching = false;
   double most_ulps = 0;  ///< that t of the closest hit may be off by its promise; 0: it promises nothing
   std::function<void(std::span<const AskedRay>, std::span<Testimony>)> ask{};  ///< from several threads at once
 };
 
-/// The method, asked about each of a ray's candidates. Every face that it calls hit is reported. The closest is the one
-/// of the least t, as the method computes it, or, without t, the least by its own order of hits; the lowest number
-/// among equals. The source is inside if the number of hits is odd: of faces where the contract gives a shared edge to
-/// exactly one face; else of different t, or of hits that its order tells apart. Both must outlive the subject.
+/// The method, asked about each of a ray's candidates. Every face that it calls hit is reported. The closest is the
+/// least by its own order of hits or, if it has none, by t; the lowest number among equals. The source is inside if the
+/// number of hits is odd: of faces, where the contract gives a shared edge to exactly one face; else of hits that the
+/// order, or t, tells apart. Both must outlive the subject.
 Subject subject_of(const Method& method, const Surface& surface);
 
 }  // namespace tribunal::leak
