@@ -171,7 +171,7 @@ void show(const Options& o, const std::vector<Trial>& trials, const Json& summar
 int run(const Options& o) {
   const Mesh mesh = triangulated(read_mesh(o.mesh), o.mesh);
   const std::vector<Method> methods = methods_of(o);
-  if (std::ranges::none_of(methods, takes_rays))
+  if (loaded_meshes().empty() && std::ranges::none_of(methods, takes_rays))
     throw Failure(Exit::usage, "no method given that takes rays of triangles");
   std::vector<Trial> trials;
   for (const Format format : formats_of(o)) {

@@ -93,7 +93,7 @@ Range with_exact_differences(Range range, const Mark& mark, int axis) {
 Point3 draw_source(const Surface& surface, const Mark& mark, bool inside, bool exactly, Draw& draw) {
   Point3 o;
   for (int axis = 0; axis < 3; ++axis) {
-    Range range = about(surface.boxes().bounds(), axis, inside);
+    Range range = about(surface.bounds(), axis, inside);
     const bool level = draw.below(8) == 0;  // a direction that is 0 on this axis
     if (exactly) range = with_exact_differences(range, mark, axis);
     o[axis] = draw_between(range.lo, range.hi, !exactly, surface.format(), draw);

@@ -14,14 +14,15 @@ int longest_axis(const Box& b) {
   return length(0) >= length(1) && length(0) >= length(2) ? 0 : length(1) >= length(2) ? 1 : 2;
 }
 
+Box widened(const Box& b, double margin) { return {b.lo - margin, b.hi + margin}; }
+
 }  // namespace
 
-FaceBoxes::FaceBoxes(std::span<const Triangle> triangles) : order_(triangles.size()) {
-  for (const Triangle& t : triangles) boxes_.push_back(box_of(t));
+FaceBoxes::FaceBoxes(std::span<const Triangle> triangles, double margin) : order_(triangles.size()) {
+  for (const Triangle& t : triangles) boxes_.push_back(widened(box_of(t), margin));
   std::iota(order_.begin(), order_.end(), 0u);
   const auto count = static_cast<std::uint32_t>(triangles.size());
-  bounds_ = box_over(0, count);
-  nodes_.push_back({bounds_, 0, count, 0});
+  nodes_.push_back({box_over(0, count), 0, count, 0});
   for (std::uint32_t node = 0; node < nodes_.size(); ++node) split(node);
 }
 

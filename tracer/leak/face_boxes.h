@@ -1,4 +1,4 @@
-// Which faces of a mesh a probe may meet: those whose own box it meets.
+// Which faces of a mesh a probe may meet, or a rounded test may take it to meet.
 #pragma once
 
 #include <cstdint>
@@ -14,13 +14,12 @@ namespace tribunal::leak {
 class FaceBoxes {
  public:
   FaceBoxes() = default;
-  explicit FaceBoxes(std::span<const Triangle> triangles);
+  /// Each box is wider than its triangle by `margin` on every side.
+  FaceBoxes(std::span<const Triangle> triangles, double margin);
 
   /// The faces whose boxes the probe may meet, in ascending order. Law: no face that it exactly meets is missing
   /// (tracer/accel/wide/box.h has the proof).
   void candidates(const BoxProbe& probe, std::vector<std::uint32_t>& faces) const;
-
-  const Box& bounds() const { return bounds_; }
 
  private:
   static constexpr std::uint32_t leaf_size = 4;
@@ -38,7 +37,6 @@ class FaceBoxes {
   std::vector<Box> boxes_;
   std::vector<std::uint32_t> order_;
   std::vector<Node> nodes_;
-  Box bounds_;
 };
 
 }  // namespace tribunal::leak

@@ -88,22 +88,38 @@ class Trial {
   // --- every hit ---------------------------------------------------------------------------------------------------
 
   void judge_hits(const std::vector<Reported>& hits) {
+    std::vector<std::uint32_t> reported = faces_of(hits);
+    if (subject_.sorted) judge_order(hits);
+    if (names_a_face_twice(reported)) verdict_.add(Outcome::double_hit, reported.front());
     std::vector<std::uint32_t> missed;
-    for (const Reported& hit : hits) {
-      if (!truth_.meets(hit.face)) missed.push_back(hit.face);
+    for (const std::uint32_t f : reported) {
+      if (!truth_.meets(f)) missed.push_back(f);
     }
-    for (std::size_t i = 0; i < truth_.places.size(); ++i) judge_place(i, hits, missed);
+    for (std::size_t i = 0; i < truth_.places.size(); ++i) judge_place(i, reported, missed);
     for (const std::uint32_t f : missed) {
       verdict_.add(is_beside_a_met_face(f) ? Outcome::double_hit : Outcome::false_hit, f);
     }
     if (hits.empty() && some_hit_is_due()) lose();
-    if (names_a_face_twice(hits)) verdict_.add(Outcome::double_hit, hits.front().face);
-    if (subject_.sorted) judge_order(hits);
   }
 
-  void judge_place(std::size_t i, const std::vector<Reported>& hits, std::vector<std::uint32_t>& missed) {
+  static std::vector<std::uint32_t> faces_of(const std::vector<Reported>& hits) {
+    std::vector<std::uint32_t> faces;
+    for (const Reported& hit : hits) faces.push_back(hit.face);
+    return faces;
+  }
+
+  /// Whether it does; then it no longer does.
+  static bool names_a_face_twice(std::vector<std::uint32_t>& faces) {
+    std::ranges::sort(faces);
+    const auto repeated = std::ranges::unique(faces);
+    const bool any = !repeated.empty();
+    faces.erase(repeated.begin(), repeated.end());
+    return any;
+  }
+
+  void judge_place(std::size_t i, const std::vector<std::uint32_t>& faces, std::vector<std::uint32_t>& missed) {
     const Place& p = truth_.places[i];
-    const auto reported = std::ranges::count_if(hits, [&](const Reported& hit) { return is_at(p, hit.face); });
+    const auto reported = std::ranges::count_if(faces, [&](std::uint32_t f) { return is_at(p, f); });
     if (reported > 1) judge_many(i, static_cast<std::size_t>(reported));
     if (reported > 0 || !is_passed(p)) return;
     const auto other = std::ranges::find_if(missed, [&](std::uint32_t f) { return stands_for(p, f); });
@@ -140,13 +156,6 @@ class Trial {
   std::size_t place_of(std::uint32_t face) const {
     const auto found = std::ranges::find_if(truth_.places, [&](const Place& p) { return is_at(p, face); });
     return static_cast<std::size_t>(found - truth_.places.begin());
-  }
-
-  static bool names_a_face_twice(const std::vector<Reported>& hits) {
-    std::vector<std::uint32_t> faces;
-    for (const Reported& hit : hits) faces.push_back(hit.face);
-    std::ranges::sort(faces);
-    return std::ranges::adjacent_find(faces) != faces.end();
   }
 
   // --- any, closest, inside ----------------------------------------------------------------------------------------
@@ -189,8 +198,7 @@ class Trial {
       return;
     }
     verdict_.add(Outcome::closest, a_face_at(*first));
-    if (reports(said, truth_, p)) verdict_.add(Outcome::order, a_face_at(*first));
-    if (alone && met) verdict_.add(Outcome::leak, a_face_at(*first));
+    if (met && reports(said, truth_, p)) verdict_.add(Outcome::order, a_face_at(*first));
   }
 
   void judge_t(const Reported& closest) {

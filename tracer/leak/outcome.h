@@ -17,10 +17,11 @@ enum class Outcome : std::uint8_t {
   double_hit,  ///< beside a face that it meets, one that it misses; or an even number of faces where just one is due
   parity,      ///< the number of reported faces puts its source on the wrong side
   closest,     ///< the face that is reported as the closest is not, and stands for none that is
-  order,       ///< the same, although a closest face is reported; or a list that should be sorted is not
-  wrong_t,     ///< t of the closest hit is further off than promised
-  neighbour,   ///< in place of a face that it meets, a face beside it is reported, with the same facing
-  twice,       ///< more than one face is reported where it passes an edge or a vertex, each of which it meets
+  order,      ///< the same, although a closest face is reported, and for one that it meets later; or a list that should
+              ///< be sorted is not
+  wrong_t,    ///< t of the closest hit is further off than promised
+  neighbour,  ///< in place of a face that it meets, a face beside it is reported, with the same facing
+  twice,      ///< more than one face is reported where it passes an edge or a vertex, each of which it meets
   outline  ///< it passes, by less than rounding, an edge or a vertex that it sees as outline, and is not reported there
 };
 

@@ -1,6 +1,8 @@
 #include "tracer/leak/surface.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "exact/base/failure.h"
 #include "exact/filtered/filtered_kernel.h"
@@ -12,6 +14,14 @@ namespace {
 bool has_no_area(const Triangle& t) {
   const FilteredKernel k;
   return std::ranges::all_of(all_axes, [&](Axis dropped) { return k.orient2d(dropped, t.a, t.b, t.c) == Sign::zero; });
+}
+
+/// 2048 units roundoff of the largest number that a ray from about the box has to do with. Which faces are asked about
+/// decides nothing that is exact.
+double margin_about(const Box& b, Format format) {
+  double most = 0;
+  for (int axis = 0; axis < 3; ++axis) most = std::max({most, std::abs(b.lo[axis]), std::abs(b.hi[axis])});
+  return std::min(std::ldexp(most, format == Format::binary32 ? -13 : -42), std::numeric_limits<double>::max() / 4);
 }
 
 }  // namespace
@@ -30,7 +40,8 @@ Surface::Surface(const Mesh& mesh, Format format, const std::string& file) : for
   find_edges();
   mark_openings();
   topology_ = topology_of({vertices_, corners_});
-  boxes_ = FaceBoxes(triangles_);
+  for (const Point3& p : vertices_) bounds_.add(p);
+  boxes_ = FaceBoxes(triangles_, margin_about(bounds_, format));
   tree_ = TriangleTree(triangles_);
 }
 

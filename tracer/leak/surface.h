@@ -42,7 +42,8 @@ class Surface {
 
   Format format() const { return format_; }
   const Topology& topology() const { return topology_; }
-  const FaceBoxes& boxes() const { return boxes_; }
+  const Box& bounds() const { return bounds_; }
+  const FaceBoxes& boxes() const { return boxes_; }  ///< wider by many times what a test may err in a coordinate
   const TriangleTree& tree() const { return tree_; }
 
   const std::vector<Point3>& vertices() const { return vertices_; }
@@ -75,6 +76,7 @@ class Surface {
   std::vector<bool> flat_, at_opening_;
   Incidence of_vertex_, of_edge_;
   Topology topology_;
+  Box bounds_;
   FaceBoxes boxes_;
   TriangleTree tree_{{}};
 };
