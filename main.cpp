@@ -21,6 +21,8 @@ int main(int argc, char** argv) {
        "tribunal certify --method sf-double --budget quick --out certificate", declare_certify},
       {"verify", "make a certificate again from its log and hold it against what was written",
        "tribunal verify certificate", declare_verify},
+      {"leak", "is a test watertight? Rays at every vertex, edge and face of a mesh",
+       "tribunal leak mesh.off --method sf-double,mt-double,woop-double --out leaks", declare_leak},
       {"render", "ray trace a scene with a method",
        "tribunal render data/scenes/elephant.json --method sf-double --against sf-rational -o image.png",
        declare_render},

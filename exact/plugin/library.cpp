@@ -16,6 +16,7 @@ namespace {
 
 constexpr const char* entry_point = "tribunal_plugin_describe";
 constexpr const char* polygon_entry_point = "tribunal_plugin_describe_polygons";
+constexpr const char* mesh_entry_point = "tribunal_plugin_describe_meshes";
 
 /// dlopen searches the system for a name without a slash; we mean the file.
 std::string as_path(const std::string& file) { return file.find('/') == std::string::npos ? "./" + file : file; }
@@ -60,7 +61,8 @@ Library open_library(const std::string& file) {
     throw bad_input(file, 0, std::string("does not export ") + entry_point + ", expected a plugin (tribunal_plugin.h)");
   }
   const auto polygons = described_by<tribunal_polygon_plugin>(library, polygon_entry_point, file);
-  return {*plugin, polygons.value_or(nullptr)};
+  const auto meshes = described_by<tribunal_mesh_plugin>(library, mesh_entry_point, file);
+  return {*plugin, polygons.value_or(nullptr), meshes.value_or(nullptr)};
 }
 
 }  // namespace tribunal

@@ -11,6 +11,7 @@ namespace tribunal {
 struct Library {
   const tribunal_plugin* plugin;
   const tribunal_polygon_plugin* polygons;  ///< nullptr if it has none
+  const tribunal_mesh_plugin* meshes;       ///< nullptr if it has none
 };
 
 /// Loads the library into this process, for good. Fails with Exit::bad_input, naming the file, if it is missing, is no

@@ -4,9 +4,11 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/method.h"
 #include "exact/plugin/calls.h"
+#include "exact/plugin/mesh_plugin.h"
 #include "exact/plugin/tribunal_plugin.h"
 
 namespace tribunal {
@@ -19,6 +21,11 @@ using Isolation = std::optional<double>;
 /// thread starts. Fails with Exit::bad_input, naming the file, if it is missing, is no library, or describes no method
 /// (below); with Exit::usage if the method's name is taken.
 std::string load_plugin(const std::string& file, const Isolation& isolation = {});
+
+/// The methods that were loaded so far, by name, and the trees over meshes. A library that has a tree and no test of
+/// its own adds no method; an isolated one adds no tree.
+const std::vector<std::string>& loaded_methods();
+const std::vector<MeshPlugin>& loaded_meshes();
 
 /// The method described. Fails with Exit::bad_input if the description breaks the rules of tribunal_plugin.h; only
 /// `abi` is read of one for another version. `file` stands for the plugin in messages.

@@ -2,7 +2,8 @@
  * C99 and C++; needs nothing else of Tribunal. docs/bring-your-own.md is the guide, docs/examples/ has an example.
  *
  * The library exports one function, tribunal_plugin_describe. The program calls it once, copies the strings, and from
- * then on knows the test as a method of that name. A second one, for polygons, is optional.
+ * then on knows the test as a method of that name. A second one, for polygons, is optional, and so is a third, for
+ * whole meshes.
  *
  * Promises of the program
  *   - Coordinates are finite: NaN and infinities never reach a plugin.
@@ -108,7 +109,7 @@ typedef struct tribunal_plugin {
   const char* reference; /* where it was published, or NULL */
   int format;            /* TRIBUNAL_BINARY32 or TRIBUNAL_BINARY64 */
   int convention;        /* TRIBUNAL_CLOSED, TRIBUNAL_TRANSVERSAL or TRIBUNAL_COPLANAR_UNSPECIFIED */
-  tribunal_ask* ask;     /* required, but for a test that takes polygons only */
+  tribunal_ask* ask;     /* required, but for a library that takes polygons or meshes only */
   tribunal_ask_batch* ask_batch; /* or NULL */
 
   /* Version 2. */
@@ -153,6 +154,52 @@ typedef struct tribunal_polygon_plugin {
   tribunal_ask_polygon* ask; /* required */
 } tribunal_polygon_plugin;
 
+/* Meshes, if the library has a tree: a third, optional function, tribunal_plugin_describe_meshes. `tribunal leak` puts
+ * the whole of it on trial: boxes, pruning, order, bookkeeping. Name, format, boundary and culling are those of the
+ * first description, which may have `ask` NULL then. A NULL function is not judged. The promises above hold here too.
+ *
+ * A face is the closed triangle of three vertices. In the mesh of a trial vertices at one place are one vertex, and
+ * faces may have no area. Rays have six coordinates, o and d; d is not 0. */
+
+/* vertices: x, y, z each; corners: three a face, in range. Comes back: what was made of it, which is asked any number
+ * of times, from several threads, and released once. NULL: out of memory. The arrays do not outlive the call. */
+typedef void* tribunal_mesh_prepare(size_t vertex_count, const double* vertices, size_t face_count,
+                                    const size_t* corners);
+
+#define TRIBUNAL_NO_FACE ((size_t)-1)
+
+/* A face that is hit, at o + t*d. t is looked at where the library says that it tells it. */
+typedef struct tribunal_mesh_hit {
+  size_t face; /* as it stands in `corners`, from 0; or TRIBUNAL_NO_FACE */
+  double t;
+} tribunal_mesh_hit;
+
+/* The i-th ray is at rays + 6*i. The closest hit; where several faces are hit at one t, any of them. */
+typedef void tribunal_mesh_closest(const void* mesh, size_t n, const double* rays, tribunal_mesh_hit* hits);
+
+/* 1 where any face is hit, else 0. */
+typedef void tribunal_mesh_any(const void* mesh, size_t n, const double* rays, int* answers);
+
+/* Every face hit, each once, in any order. Returns their number, and writes no more than `capacity` of them; if there
+ * are more, it is asked again with more room. */
+typedef size_t tribunal_mesh_all(const void* mesh, const double ray[6], size_t capacity, tribunal_mesh_hit* hits);
+
+/* 1 where the source of the ray is inside the closed mesh, else 0. It may be found out along the ray, or otherwise. */
+typedef void tribunal_mesh_inside(const void* mesh, size_t n, const double* rays, int* answers);
+
+typedef struct tribunal_mesh_plugin {
+  int abi;          /* TRIBUNAL_PLUGIN_ABI, as in tribunal_plugin */
+  int tells_t;      /* not 0: closest and all give t */
+  int sorted;       /* not 0: all gives the nearest hit first */
+  double most_ulps; /* t of the closest hit is within so many units in the last place of binary64; 0: not promised */
+  tribunal_mesh_prepare* prepare; /* required */
+  tribunal_mesh_closest* closest;
+  tribunal_mesh_any* any;
+  tribunal_mesh_all* all;
+  tribunal_mesh_inside* inside; /* one of these four at least */
+  tribunal_release* release;    /* or NULL: nothing is to be released */
+} tribunal_mesh_plugin;
+
 #if defined(__GNUC__)
 #define TRIBUNAL_EXPORT __attribute__((visibility("default")))
 #else
@@ -161,6 +208,7 @@ typedef struct tribunal_polygon_plugin {
 
 TRIBUNAL_EXPORT const tribunal_plugin* tribunal_plugin_describe(void);
 TRIBUNAL_EXPORT const tribunal_polygon_plugin* tribunal_plugin_describe_polygons(void); /* optional */
+TRIBUNAL_EXPORT const tribunal_mesh_plugin* tribunal_plugin_describe_meshes(void);      /* optional */
 
 #ifdef __cplusplus
 }

@@ -59,6 +59,7 @@ inline constexpr RandomStreams random_streams[] = {
     {"benchmark polygons", 950, 2},
     {"triangle relations", 1000, 100},
     {"chart general", 1100},
+    {"leak rays", 1200},
 };
 
 /// Whether the rows are in ascending order and no number has two owners.

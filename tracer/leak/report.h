@@ -1,0 +1,36 @@
+// A mesh trial for people, for programs, and as pictures and cases.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "exact/base/json.h"
+#include "exact/cases/case_io.h"
+#include "tracer/leak/trial.h"
+
+namespace tribunal::leak {
+
+/// Outcomes per million rays, one row a subject; `by_aim`: a row for each aim.
+std::string table(const std::vector<Subject>& subjects, const LeakReport& report, Format format, bool by_aim);
+
+/// One line: "watertight on these 300000 rays", or the worst first: leaks, and at what they were aimed.
+std::string verdict(const Subject& subject, const SubjectReport& report, Format format);
+
+/// Whether the subject made an error on any ray.
+bool has_erred(const SubjectReport& report);
+
+/// All counts; nothing that varies from run to run.
+Json summary(const Surface& surface, const std::vector<Subject>& subjects, const LeakReport& report);
+
+/// The faces that a subject leaked or erred at most, with their number of rays, for people; at most `most` of them.
+std::string worst_faces(const SubjectReport& report, std::size_t most);
+
+/// The surface as a PLY file: a face is grey where nothing went wrong, from yellow to red the more leaks it has, from
+/// pale to strong blue the more other errors.
+std::string painted(const Surface& surface, const SubjectReport& report);
+
+/// The findings as cases: the ray, and the triangle that ought to have been hit, or not. `mesh` is the file's name.
+std::vector<Case> cases_of(const Surface& surface, const Subject& subject, const SubjectReport& report,
+                           const std::string& mesh, std::uint64_t seed);
+
+}  // namespace tribunal::leak

@@ -1,0 +1,55 @@
+// Who stands trial on a mesh: a method that is asked face by face, or a function of a mesh plugin.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/method.h"
+#include "tracer/leak/surface.h"
+
+namespace tribunal::leak {
+
+/// A face that is reported as hit, with its t where one is given. `in_plane`: as holding the ray in its plane.
+struct Reported {
+  std::uint32_t face;
+  std::optional<double> t{};
+  bool in_plane = false;
+};
+
+/// What was reported of one ray. What a subject does not tell is nothing.
+struct Testimony {
+  std::optional<std::vector<Reported>> hits{};       ///< every face hit
+  std::optional<bool> any{};                         ///< whether a face is hit
+  std::optional<std::optional<Reported>> closest{};  ///< the closest hit, if there is one
+  std::optional<bool> inside{};                      ///< whether the source is inside
+};
+
+/// A ray, and the faces whose boxes it meets.
+struct AskedRay {
+  Ray ray;
+  std::vector<std::uint32_t> candidates{};
+};
+
+struct Subject {
+  std::string name;
+  Contract contract{};
+  std::string told;  ///< one line: what is asked, and how parity and the closest hit are made of it
+  bool tells_hits = true, tells_parity = false, tells_closest = false;
+  bool sorted = false;  ///< its list of hits is to begin with the nearest
+  /// Whether parity is to be right too where the ray touches an edge or a vertex from one side.
+  bool parity_where_touching = false;
+  double most_ulps = 0;  ///< that t of the closest hit may be off by its promise; 0: it promises nothing
+  std::function<void(std::span<const AskedRay>, std::span<Testimony>)> ask{};  ///< from several threads at once
+};
+
+/// The method, asked about each of a ray's candidates. Every face that it calls hit is reported. The closest is the
+/// least by its own order of hits or, if it has none, by t; the lowest number among equals. The source is inside if the
+/// number of hits is odd: of faces, where the contract gives a shared edge to exactly one face; else of hits that the
+/// order, or t, tells apart. Both must outlive the subject.
+Subject subject_of(const Method& method, const Surface& surface);
+
+}  // namespace tribunal::leak

@@ -1,0 +1,48 @@
+// Methods on trial on a mesh: many rays, each judged.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "tracer/leak/judge.h"
+
+namespace tribunal::leak {
+
+struct LeakPlan {
+  std::uint64_t seed = 1, rays = 0;
+  unsigned threads = 1;
+  bool every_face = false;  ///< ask about every face, not only about those whose boxes the ray meets
+  std::size_t keep = 4;     ///< findings to keep, a subject and outcome
+};
+
+/// A ray on which a subject erred.
+struct LeakFinding {
+  std::uint64_t k;
+  AimedRay aimed;
+  Outcome outcome;
+  std::uint32_t face;  ///< that ought to have been hit, or ought not
+};
+
+/// How one subject did.
+struct SubjectReport {
+  LeakTally tally{};
+  std::map<Outcome, std::vector<LeakFinding>> findings{};  ///< of errors, the first of each kind
+  std::vector<std::uint32_t> leaks_at{}, errors_at{};      ///< by face; other errors than leaks in the second
+  double worst_ulps = 0;                                   ///< of t of right closest hits
+};
+
+struct LeakReport {
+  std::vector<SubjectReport> subjects{};  ///< in the order given
+  std::uint64_t rays = 0;                 ///< judged
+  std::uint64_t inside = 0;               ///< of these, from inside
+  std::uint64_t exactly = 0;              ///< of these, through an edge or a vertex
+  std::uint64_t skipped = 0;              ///< not judged: they would start on the surface
+  bool complete = false;
+  int signal = 0;  ///< that ended it early, or 0
+};
+
+/// Depends on all but the number of threads.
+LeakReport run_leak_trial(const Surface& surface, const std::vector<Subject>& subjects, const LeakPlan& plan);
+
+}  // namespace tribunal::leak

@@ -1,0 +1,56 @@
+// What is exactly so of a ray and a surface.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/contract.h"
+#include "core/due.h"
+#include "tracer/leak/aim.h"
+
+namespace tribunal::leak {
+
+/// A face that the ray crosses: met, and not in its plane.
+struct Crossed {
+  std::uint32_t face;
+  Contact contact;  ///< interior, edge or vertex
+  Facing facing;
+  int direction;  ///< +1, −1 or 0 as crossing.h counts: how the ray crosses it when it is moved by next to nothing
+};
+
+/// The faces that are crossed at one exact parameter: crossed[first] to crossed[end − 1].
+struct Place {
+  std::size_t first, end;
+};
+
+/// All exact: signs decide, and the order of parameters.
+struct RayTruth {
+  bool on_surface = false;             ///< the ray starts on a face: nothing is judged
+  bool inside = false;                 ///< it starts inside; of a closed surface only
+  bool at_outline = false;             ///< of the faces around the vertex or edge that it was aimed at, some look
+                                       ///< towards its source and some away, so it may pass or graze it
+  std::vector<std::uint32_t> along{};  ///< faces with area that are met in their plane
+  std::vector<std::uint32_t> flat{};   ///< faces without area that are met
+  std::vector<Crossed> crossed{};      ///< by place, at one place by face
+  std::vector<Place> places{};         ///< nearest first
+
+  bool touches_nothing() const { return along.empty() && flat.empty() && crossed.empty(); }
+  bool crosses(std::uint32_t face) const;
+  bool meets(std::uint32_t face) const;
+  std::span<const Crossed> at(const Place& p) const { return std::span(crossed).subspan(p.first, p.end - p.first); }
+};
+
+/// `candidates` has all faces that the ray meets, in ascending order.
+RayTruth truth_of(const Surface& surface, const AimedRay& aimed, std::span<const std::uint32_t> candidates);
+
+/// Whether the ray passes through the surface at the place, so that a watertight test must report a face there: one is
+/// met inside; or an odd number of faces is crossed by a ray moved by next to nothing, and no open edge is near. (If it
+/// is even, the ray touches an edge or a vertex from one side: a test that gives each edge to one face may report
+/// none.) Of a test that culls back faces, the same of front faces: one is met inside, or more are entered than left.
+bool is_passed(const Surface& surface, const RayTruth& truth, const Place& place, Culling culling);
+
+/// The facing of a face in whose plane the ray does not start, as the source sees it.
+Facing facing_of(const Surface& surface, const Ray& ray, std::uint32_t face);
+
+}  // namespace tribunal::leak
