@@ -101,7 +101,7 @@ void time_rays(const std::string& population, const PairTable& table) {
     benchmark::RegisterBenchmark(named(method, population).c_str(), [&table, meets](benchmark::State& state) {
       for (auto _ : state) {
         std::size_t count = 0;
-        for (const Pair& p : table.pairs()) count += meets(p.ray(), p.triangle);
+        for (const Pair& p : table.pairs()) count += meets(ray_of(p), p.triangle);
         benchmark::DoNotOptimize(count);
       }
       state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * table.size()));
