@@ -8,6 +8,7 @@
 #include "exact/plugin/description.h"
 #include "exact/plugin/line.h"
 #include "exact/plugin/load.h"
+#include "exact/plugin/native_loops.h"
 
 namespace tribunal {
 
@@ -242,61 +243,13 @@ void add_batches(Method& method, const Caller& caller, const tribunal_plugin& pl
   if (isolated && plugin.tells_contact == 0) method.ask_each = asking(&PluginCalls::ask_each);
 }
 
-/// Pairs as a plugin takes them, and its answers as it gives them.
-struct Rows {
-  std::vector<Coordinates> queries{};
-  std::vector<int> answers{};
-
-  Rows(std::span<const SegmentPair> pairs, Format format) : answers(pairs.size()) {
-    for (const SegmentPair& p : pairs) queries.push_back(coordinates_of(p.segment, p.triangle, format));
-  }
-
-  void write(std::span<std::uint8_t> hits) const {
-    for (std::size_t i = 0; i < hits.size(); ++i) hits[i] = answers[i] == 1;
-  }
-};
-
-/// The plugin's own function, asked in a loop or once for all.
-NativeLoop loop_of(const Line& line, Caller::Call call) {
-  return [line, call](std::span<const SegmentPair> pairs) -> NativeRun {
-    const auto rows = std::make_shared<Rows>(pairs, line.format);
-    return [line, call, rows](std::span<std::uint8_t> hits) {
-      (*line.calls.*call)(TRIBUNAL_SEGMENT, hits.size(), rows->queries[0].data(), rows->answers.data());
-      rows->write(hits);
-    };
-  };
-}
-
-/// Triangles that the plugin prepares one by one; it alone knows how many bytes it keeps.
-PreparedRun prepared_by(const Line& line, std::span<const SegmentPair> pairs) {
-  const auto rows = std::make_shared<Rows>(pairs, line.format);
-  const auto prepared = std::make_shared<std::vector<std::shared_ptr<const PreparedCalls>>>(pairs.size());
-  const auto set_up = [line, rows, prepared] {
-    for (std::size_t i = 0; i < prepared->size(); ++i)
-      (*prepared)[i] = line.calls->prepare(rows->queries[i].data() + 6);
-  };
-  set_up();
-  return {.set_up = set_up, .ask = [rows, prepared](std::span<std::uint8_t> hits) {
-            for (std::size_t i = 0; i < hits.size(); ++i) {
-              hits[i] = (*prepared)[i]->ask(TRIBUNAL_SEGMENT, rows->queries[i].data()) == 1;
-            }
-          }};
-}
-
-void add_loops(Method& method, const tribunal_plugin& plugin, const Line& line) {
-  method.native.single = loop_of(line, &PluginCalls::ask_each);
-  if (plugin.ask_batch != nullptr) method.native.batch = loop_of(line, &PluginCalls::ask_batch);
-  if (plugin.prepare == nullptr) return;
-  method.native.prepared = [line](std::span<const SegmentPair> pairs) { return prepared_by(line, pairs); };
-}
-
 void add_triangles(Method& method, const tribunal_plugin& plugin, const Line& line) {
   const Caller caller(plugin, line);
   method.segment = [caller](const Segment& s, const Triangle& t) { return caller.ask(s, t); };
   method.ray = [caller](const Ray& r, const Triangle& t) { return caller.ask(r, t); };
   if (plugin.ask == nullptr) return;
   add_batches(method, caller, plugin, line.calls->isolated());
-  add_loops(method, plugin, line);
+  method.native = native_loops_of(plugin, line);
   if (plugin.tells_t != 0) {
     method.parameter = [caller](const Ray& r, const Triangle& t) { return caller.parameter(r, t); };
   }
