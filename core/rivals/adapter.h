@@ -11,8 +11,10 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/method.h"
 #include "core/rivals/rival.h"
@@ -198,11 +200,11 @@ NativeLoops native_loops_of() {
       const auto pairs = std::make_shared<Pairs>(given);
       return {.set_up = [pairs] { pairs->prepare_all(); },
               .ask =
-                  [pairs](std::span<std::uint8_t> hits) {
-                    for (std::size_t i = 0; i < hits.size(); ++i) {
+                  [pairs](std::span<std::uint8_t> hits, std::size_t step) {
+                    visit_by_steps(hits.size(), step, [&](std::size_t i) {
                       const auto& [p, q] = pairs->segments[i];
                       hits[i] = meet_between<R>(p, q, pairs->prepared[i]).has_value();
-                    }
+                    });
                   }};
     };
   }

@@ -23,12 +23,15 @@ class Track {
   double pass() {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point start = Clock::now();
-    run_(hits_);
+    step_ = next_step(step_, hits_.size());
+    run_(hits_, step_);
     const std::chrono::duration<double, std::nano> elapsed = Clock::now() - start;
     return elapsed.count() / static_cast<double>(hits_.size());
   }
 
+  /// The first pass brings the data back into the cache, from which other loops have driven them.
   void sample() {
+    pass();
     samples_.push_back(pass());
     const auto count = std::accumulate(hits_.begin(), hits_.end(), std::uint64_t{0});
     if (samples_.size() > 1 && count != count_) throw std::logic_error("the same pairs are answered differently");
@@ -44,6 +47,7 @@ class Track {
  private:
   NativeRun run_;
   std::vector<std::uint8_t> hits_;
+  std::size_t step_ = 0;
   std::uint64_t count_ = 0;
   std::vector<double> samples_{};
 };
@@ -97,7 +101,7 @@ NativeLoop single_loop(const Method& method) {
 
 NativeLoop set_up_loop(const Method& method) {
   return [&method](Pairs pairs) -> NativeRun {
-    return [prepared = method.native.prepared(pairs)](std::span<std::uint8_t>) { prepared.set_up(); };
+    return [prepared = method.native.prepared(pairs)](std::span<std::uint8_t>, std::size_t) { prepared.set_up(); };
   };
 }
 

@@ -35,7 +35,7 @@ NativeRun batch_of(std::span<const SegmentPair> pairs) {
       for (int axis = 0; axis < 3; ++axis) columns[column++].push_back(v[axis]);
     }
   }
-  return [columns = std::move(columns)](std::span<std::uint8_t> hit) {
+  return [columns = std::move(columns)](std::span<std::uint8_t> hit, std::size_t) {
     const auto points = [&](std::size_t v) {
       return PointColumns{columns[3 * v], columns[3 * v + 1], columns[3 * v + 2]};
     };

@@ -20,14 +20,20 @@ struct Rows {
   }
 };
 
-using Call = void (PluginCalls::*)(int, std::size_t, const double*, int*) const;
+NativeLoop one_by_one(tribunal_ask* ask, Format format) {
+  return [ask, format](std::span<const SegmentPair> pairs) -> NativeRun {
+    return [ask, rows = Rows(pairs, format)](std::span<std::uint8_t> hits, std::size_t step) {
+      visit_by_steps(hits.size(), step,
+                     [&](std::size_t i) { hits[i] = ask(TRIBUNAL_SEGMENT, rows.queries[i].data()) == 1; });
+    };
+  };
+}
 
-/// The plugin's own function, asked in a loop or once for all.
-NativeLoop loop_of(const Line& line, Call call) {
-  return [line, call](std::span<const SegmentPair> pairs) -> NativeRun {
-    const auto rows = std::make_shared<Rows>(pairs, line.format);
-    return [line, call, rows](std::span<std::uint8_t> hits) {
-      (*line.calls.*call)(TRIBUNAL_SEGMENT, hits.size(), rows->queries[0].data(), rows->answers.data());
+NativeLoop at_once(tribunal_ask_batch* ask, Format format) {
+  return [ask, format](std::span<const SegmentPair> pairs) -> NativeRun {
+    const auto rows = std::make_shared<Rows>(pairs, format);
+    return [ask, rows](std::span<std::uint8_t> hits, std::size_t) {
+      ask(TRIBUNAL_SEGMENT, hits.size(), rows->queries[0].data(), rows->answers.data());
       rows->write(hits);
     };
   };
@@ -42,18 +48,18 @@ PreparedRun prepared_by(const Line& line, std::span<const SegmentPair> pairs) {
       (*prepared)[i] = line.calls->prepare(rows->queries[i].data() + 6);
   };
   set_up();
-  return {.set_up = set_up, .ask = [rows, prepared](std::span<std::uint8_t> hits) {
-            for (std::size_t i = 0; i < hits.size(); ++i) {
+  return {.set_up = set_up, .ask = [rows, prepared](std::span<std::uint8_t> hits, std::size_t step) {
+            visit_by_steps(hits.size(), step, [&](std::size_t i) {
               hits[i] = (*prepared)[i]->ask(TRIBUNAL_SEGMENT, rows->queries[i].data()) == 1;
-            }
+            });
           }};
 }
 
 }  // namespace
 
 NativeLoops native_loops_of(const tribunal_plugin& plugin, const Line& line) {
-  NativeLoops native{.single = loop_of(line, &PluginCalls::ask_each)};
-  if (plugin.ask_batch != nullptr) native.batch = loop_of(line, &PluginCalls::ask_batch);
+  NativeLoops native{.single = one_by_one(plugin.ask, line.format)};
+  if (plugin.ask_batch != nullptr) native.batch = at_once(plugin.ask_batch, line.format);
   if (plugin.prepare == nullptr) return native;
   native.prepared = [line](std::span<const SegmentPair> pairs) { return prepared_by(line, pairs); };
   return native;

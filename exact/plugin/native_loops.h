@@ -6,7 +6,7 @@
 
 namespace tribunal {
 
-/// Of a plugin that has a test of triangles. A call that fails throws CallFailed.
+/// Of a plugin that has a test of triangles. They run in this process; what the test throws is thrown.
 NativeLoops native_loops_of(const tribunal_plugin& plugin, const Line& line);
 
 }  // namespace tribunal
