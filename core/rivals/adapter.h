@@ -188,11 +188,11 @@ NativeLoops native_loops_of() {
   using Pairs = PairsOf<R>;
   NativeLoops native{.bytes = sizeof(typename R::Prepared)};
   native.single = [](std::span<const SegmentPair> given) -> NativeRun {
-    return [pairs = Pairs(given)](std::span<std::uint8_t> hits) {
-      for (std::size_t i = 0; i < hits.size(); ++i) {
+    return [pairs = Pairs(given)](std::span<std::uint8_t> hits, std::size_t step) {
+      visit_by_steps(hits.size(), step, [&](std::size_t i) {
         const auto& [p, q] = pairs.segments[i];
         hits[i] = meet_between<R>(p, q, prepared_of<R>(pairs.triangles[i])).has_value();
-      }
+      });
     };
   };
   if constexpr (PreparesTriangles<R>) {
