@@ -10,6 +10,7 @@
 
 #include "core/answer.h"
 #include "core/contract.h"
+#include "core/native.h"
 #include "core/polygon.h"
 #include "core/query.h"
 #include "core/sign.h"
@@ -93,6 +94,9 @@ struct Method {
   /// the method prepares none. The operands are finite.
   std::function<PreparedTriangle(const Triangle&)> prepare_triangle{};
   std::function<PreparedRay(const Ray&)> prepare_ray{};
+
+  /// Its tests of segments and triangles for a clock; without them it is timed through `segment`.
+  NativeLoops native{};
 
   /// The answer to a query. A non-finite operand never reaches the test.
   Answer ask(const Query& query) const {

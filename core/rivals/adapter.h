@@ -11,8 +11,10 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/method.h"
 #include "core/rivals/rival.h"
@@ -44,13 +46,17 @@ template <class R>
 using HitOf = std::optional<RivalHit<typename R::Number>>;
 
 template <class R>
-typename R::Prepared prepared(const Triangle& t) {
-  const auto corners = corners_of<typename R::Number>(t);
+typename R::Prepared prepared_of(const Corners<typename R::Number>& corners) {
   if constexpr (PreparesTriangles<R>) {
     return R::prepare(corners);
   } else {
     return corners;
   }
+}
+
+template <class R>
+typename R::Prepared prepared(const Triangle& t) {
+  return prepared_of<R>(corners_of<typename R::Number>(t));
 }
 
 /// The hit of the probe {o + t·d, 0 ≤ t ≤ t_max}.
@@ -72,14 +78,19 @@ N unbounded() {
   return static_cast<N>(std::numeric_limits<double>::infinity());
 }
 
+/// The hit of the segment from p to q.
+template <class R, class N = typename R::Number>
+HitOf<R> meet_between(const Vec3<N>& p, const Vec3<N>& q, const typename R::Prepared& t) {
+  if constexpr (MeetsSegments<R>) {
+    return R::meet_segment(p, q, t);
+  } else {
+    return meet_up_to<R>(p, q - p, N(1), t);
+  }
+}
+
 template <class R, class N = typename R::Number>
 HitOf<R> meet(const Segment& s, const typename R::Prepared& t) {
-  const Vec3<N> p = lift<N>(s.p);
-  if constexpr (MeetsSegments<R>) {
-    return R::meet_segment(p, lift<N>(s.q), t);
-  } else {
-    return meet_up_to<R>(p, arm<N>(p, s.q), N(1), t);
-  }
+  return meet_between<R>(lift<N>(s.p), lift<N>(s.q), t);
 }
 
 template <class R, class N = typename R::Number>
@@ -149,6 +160,57 @@ PreparedRay prepare_ray(const Ray& ray) {
       [r](const Triangle& t) { return R::meet(r, unbounded<N>(), prepared<R>(t)) ? hit_at(Contact::unsaid) : miss(); };
 }
 
+/// The segments, and what the test keeps of each triangle, on its own number type.
+template <class R, class N = typename R::Number>
+struct PairsOf {
+  struct Ends {
+    Vec3<N> p, q;
+  };
+  std::vector<Ends> segments{};
+  std::vector<Corners<N>> triangles{};
+  std::vector<typename R::Prepared> prepared{};
+
+  explicit PairsOf(std::span<const SegmentPair> pairs) {
+    for (const auto& [segment, triangle] : pairs) {
+      segments.push_back({lift<N>(segment.p), lift<N>(segment.q)});
+      triangles.push_back(corners_of<N>(triangle));
+      if constexpr (PreparesTriangles<R>) prepared.push_back(R::prepare(triangles.back()));
+    }
+  }
+
+  void prepare_all() {
+    for (std::size_t i = 0; i < triangles.size(); ++i) prepared[i] = R::prepare(triangles[i]);
+  }
+};
+
+template <class R>
+NativeLoops native_loops_of() {
+  using Pairs = PairsOf<R>;
+  NativeLoops native{.bytes = sizeof(typename R::Prepared)};
+  native.single = [](std::span<const SegmentPair> given) -> NativeRun {
+    return [pairs = Pairs(given)](std::span<std::uint8_t> hits, std::size_t step) {
+      visit_by_steps(hits.size(), step, [&](std::size_t i) {
+        const auto& [p, q] = pairs.segments[i];
+        hits[i] = meet_between<R>(p, q, prepared_of<R>(pairs.triangles[i])).has_value();
+      });
+    };
+  };
+  if constexpr (PreparesTriangles<R>) {
+    native.prepared = [](std::span<const SegmentPair> given) -> PreparedRun {
+      const auto pairs = std::make_shared<Pairs>(given);
+      return {.set_up = [pairs] { pairs->prepare_all(); },
+              .ask =
+                  [pairs](std::span<std::uint8_t> hits, std::size_t step) {
+                    visit_by_steps(hits.size(), step, [&](std::size_t i) {
+                      const auto& [p, q] = pairs->segments[i];
+                      hits[i] = meet_between<R>(p, q, pairs->prepared[i]).has_value();
+                    });
+                  }};
+    };
+  }
+  return native;
+}
+
 }  // namespace rival_detail
 
 /// The method, without its name. R is a rival on float or double.
@@ -166,6 +228,7 @@ Method rival_method() {
     m.parameter = rival_detail::parameter_of<R>;
     m.hit = rival_detail::hit_of<R>;
   }
+  m.native = rival_detail::native_loops_of<R>();
   if constexpr (PreparesTriangles<R>) m.prepare_triangle = rival_detail::prepare_triangle<R>;
   if constexpr (PreparesRays<R>) m.prepare_ray = rival_detail::prepare_ray<R>;
   return m;

@@ -6,16 +6,11 @@
 #include "exact/base/json.h"
 #include "exact/certificate/bounds.h"
 #include "exact/chart/rate.h"
+#include "exact/chart/timing_json.h"
 #include "exact/record/environment.h"
 
 namespace tribunal {
 namespace {
-
-Json to_json(const Timing& t) {
-  return {
-      {"batch", t.batch},   {"repetitions", t.repetitions},       {"min", t.min}, {"lower_quartile", t.lower_quartile},
-      {"median", t.median}, {"upper_quartile", t.upper_quartile}, {"max", t.max}};
-}
 
 Json methods_json(const ChartPlan& plan) {
   Json rows = Json::array();
@@ -51,7 +46,7 @@ Json rows_json(const ChartPlan& plan, const Chart& chart) {
                     {"fmt", name_of(r.format)},
                     {"drawn", r.drawn},
                     {"answers", to_json(r.count)},
-                    {"nanoseconds", to_json(r.time)}});
+                    {"nanoseconds", timing_json(r.time)}});
   }
   return rows;
 }
@@ -96,6 +91,7 @@ Json to_json(const ChartPlan& plan, const Chart& chart) {
   object["panels"] = panels_json(chart);
   object["rows"] = rows_json(plan, chart);
   object["onset"] = onset_json(plan, chart);
+  object["speed"] = to_json(chart.speed);
   object["environment"] = environment();
   return object;
 }
@@ -117,7 +113,7 @@ std::string to_table(const ChartPlan& plan, const Chart& chart) {
     }
     text += "\n";
   }
-  return text;
+  return text + to_table(chart.speed);
 }
 
 }  // namespace tribunal

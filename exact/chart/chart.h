@@ -6,6 +6,7 @@
 
 #include "exact/base/json_fwd.h"
 #include "exact/chart/populations.h"
+#include "exact/chart/speed.h"
 #include "exact/chart/timing.h"
 
 namespace tribunal {
@@ -47,6 +48,7 @@ struct Chart {
   std::vector<Panel> panels;
   std::vector<ChartRow> rows;
   std::vector<OnsetRow> onset;
+  std::vector<SpeedRow> speed;
 };
 
 /// Counts are a function of methods, seed and cases; times are measured. Fails with 128 + signal if interrupted.

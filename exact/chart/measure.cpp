@@ -40,28 +40,28 @@ std::vector<Panel> panels_of(std::span<const Population> populations) {
   return panels;
 }
 
-std::vector<SegmentCase> timed_cases(const Family& family, Format format, const ChartPlan& plan) {
-  std::vector<SegmentCase> cases;
+std::vector<SegmentPair> timed_pairs(const Family& family, Format format, const ChartPlan& plan) {
+  std::vector<SegmentPair> pairs;
   for (std::uint64_t k = 0; k < std::min(plan.cases, most_timed_cases); ++k) {
     const Query query = family.make(format, plan.seed, k).query;
-    cases.push_back({std::get<Segment>(query.probe), query.triangle()});
+    pairs.push_back({std::get<Segment>(query.probe), query.triangle()});
   }
-  return cases;
+  return pairs;
 }
 
 /// The rows of one panel, their counts still empty.
 std::vector<ChartRow> timed_rows(const ChartPlan& plan, const Panel& panel) {
   const Population& population = all_populations()[panel.population];
   std::vector<ChartRow> rows;
-  std::vector<const Method*> methods;
+  std::vector<NativeLoop> loops;
   for (std::size_t m = 0; m < plan.methods.size(); ++m) {
     const Method& method = plan.methods[m];
     if (!takes(method, panel.format)) continue;
-    methods.push_back(&method);
+    loops.push_back(single_loop(method));
     rows.push_back({m, panel.population, panel.format, drawn_format(population, method) == panel.format, {}, {}});
   }
-  const std::vector<SegmentCase> cases = timed_cases(population.family, panel.format, plan);
-  const std::vector<Timing> times = time_methods(methods, cases, class_count, plan.repetitions);
+  const std::vector<SegmentPair> pairs = timed_pairs(population.family, panel.format, plan);
+  const std::vector<Timing> times = time_loops(loops, pairs, class_count, plan.repetitions);
   for (std::size_t i = 0; i < rows.size(); ++i) rows[i].time = times[i];
   return rows;
 }
@@ -116,6 +116,7 @@ Chart measure(const ChartPlan& plan) {
   Chart chart;
   measure_populations(plan, chart);
   measure_onset(plan, chart);
+  chart.speed = measure_speed(plan.methods, plan.repetitions);
   return chart;
 }
 

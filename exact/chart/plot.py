@@ -3,6 +3,7 @@
 
 speed-accuracy  share of wrong answers against time per test, a panel for each population of cases
 onset           share of wrong answers against the mantissa fill of exactly degenerate cases
+speed           time per test by the share of hits, a line of marks for each method and way to call it
 
 A method that was never wrong is not drawn at zero, which a log axis does not have and a sample cannot show, but at the
 upper 95 % confidence bound on its share: hollow, with an arrow that points down.
@@ -223,6 +224,45 @@ def onset(chart):
     return figure
 
 
+HIT_MARKS = {0: ("o", "#56B4E9"), 7: ("s", "#0072B2"), 50: ("^", "#E69F00"), 100: ("D", "#D55E00")}
+
+
+def speed(chart):
+    """The quickest at 7 % hits on top; tests that do nothing below all."""
+    rows = [r for r in chart["speed"] if r["call"] != "set-up"]
+    set_up = {r["method"]: r["nanoseconds"]["median"] for r in chart["speed"] if r["call"] == "set-up"}
+    lines = {}
+    for r in rows:
+        lines.setdefault((r["method"], r["call"]), {})[r["percent_hits"]] = r["nanoseconds"]
+    order = sorted(lines, key=lambda k: (not k[0].startswith("("), -lines[k][7]["median"]))
+    height = 2.3 + 0.235 * len(order)
+    figure, ax = plt.subplots(figsize=(11, height))
+    figure.subplots_adjust(left=0.26, right=0.84, top=1 - 1.15 / height, bottom=0.95 / height)
+    for y, key in enumerate(order):
+        spans = lines[key]
+        ax.plot([min(t["median"] for t in spans.values()), max(t["median"] for t in spans.values())], [y, y],
+                color="#C8C8C8", lw=1.2, zorder=1)
+        for percent, t in spans.items():
+            marker, colour = HIT_MARKS[percent]
+            ax.plot([t["lower_quartile"], t["upper_quartile"]], [y, y], color=colour, lw=2.2, zorder=2)
+            ax.plot([t["median"]], [y], marker, ms=5, color=colour, zorder=3)
+        if key[1] == "prepared":
+            ax.text(1.015, y, f"{set_up[key[0]]:.0f} ns a triangle", transform=ax.get_yaxis_transform(), fontsize=8,
+                    va="center", color="#555555")
+    ax.text(1.015, 1.0, "set-up", transform=ax.transAxes, fontsize=8.5, fontweight="bold", va="bottom")
+    ax.set(xscale="log", ylim=(-0.7, len(order) - 0.3), xlabel="time per test (median; bar: quartiles)")
+    ax.set_yticks(range(len(order)), [m if call == "single" else f"{m}, {call}" for m, call in order], fontsize=8.5)
+    ax.xaxis.set_major_formatter(FuncFormatter(lambda x, _: nanoseconds(x)))
+    ax.xaxis.set_minor_formatter(NullFormatter())
+    handles = [Line2D([], [], ls="", marker=m, color=c, ms=5.5, label=f"{p} % hit") for p, (m, c) in HIT_MARKS.items()]
+    figure.legend(handles=handles, loc="lower left", bbox_to_anchor=(0.25, 0.002), ncol=4, frameon=False, fontsize=8.5)
+    figure.suptitle("What a test costs, by the share of hits", x=0.02, y=1 - 0.2 / height, ha="left", fontsize=14,
+                    fontweight="bold")
+    figure.text(0.02, 1 - 0.72 / height, "Random segments and triangles of the unit cube, 4,000 pairs in cache, each "
+                "test in a loop that was compiled around it.", fontsize=9, color="#555555")
+    return figure
+
+
 def save(figure, name):
     figure.savefig(name + ".svg", metadata={"Date": None, "Creator": None})
     figure.savefig(name + ".png", dpi=160, metadata={"Software": None})
@@ -236,6 +276,7 @@ def main():
         chart = json.load(file)
     save(speed_accuracy(chart), os.path.join(sys.argv[2], "speed-accuracy"))
     save(onset(chart), os.path.join(sys.argv[2], "onset"))
+    save(speed(chart), os.path.join(sys.argv[2], "speed"))
 
 
 if __name__ == "__main__":

@@ -3,38 +3,63 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 namespace tribunal {
 namespace {
 
-using Cases = std::span<const SegmentCase>;
+using Pairs = std::span<const SegmentPair>;
 
-/// Short against the slices in which a busy machine hands out its cores, so that most batches run undisturbed.
-constexpr double batch_nanoseconds = 5e5;
+/// Short against the slices in which a busy machine hands out its cores, so that most passes run undisturbed.
+constexpr double pass_nanoseconds = 5e5;
 
-struct Lap {
-  double nanoseconds;  ///< per test
-  std::uint64_t hits;
+/// A loop over a prefix of the pairs, with its samples so far.
+class Track {
+ public:
+  Track(const NativeLoop& loop, Pairs pairs) : run_(loop(pairs)), hits_(pairs.size()) {}
+
+  /// Nanoseconds per pair of one pass.
+  double pass() {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point start = Clock::now();
+    step_ = next_step(step_, hits_.size());
+    run_(hits_, step_);
+    const std::chrono::duration<double, std::nano> elapsed = Clock::now() - start;
+    return elapsed.count() / static_cast<double>(hits_.size());
+  }
+
+  /// The first pass brings the data back into the cache, from which other loops have driven them.
+  void sample() {
+    pass();
+    samples_.push_back(pass());
+    const auto count = std::accumulate(hits_.begin(), hits_.end(), std::uint64_t{0});
+    if (samples_.size() > 1 && count != count_) throw std::logic_error("the same pairs are answered differently");
+    count_ = count;
+  }
+
+  Timing timing() const {
+    Timing timing = summarise(samples_);
+    timing.batch = hits_.size();
+    return timing;
+  }
+
+ private:
+  NativeRun run_;
+  std::vector<std::uint8_t> hits_;
+  std::size_t step_ = 0;
+  std::uint64_t count_ = 0;
+  std::vector<double> samples_{};
 };
 
-/// The hits are used, so no compiler may leave a test out.
-Lap run(const Method& method, Cases cases) {
-  using Clock = std::chrono::steady_clock;
-  std::uint64_t hits = 0;
-  const Clock::time_point start = Clock::now();
-  for (const SegmentCase& c : cases) hits += method.segment(c.segment, c.triangle).hit;
-  const std::chrono::duration<double, std::nano> elapsed = Clock::now() - start;
-  return {elapsed.count() / static_cast<double>(cases.size()), hits};
-}
-
-/// Its batch takes about the time that every method's takes; the first lap also warms caches up.
-Cases batch_of(const Method& method, Cases cases, std::size_t round) {
-  const std::size_t probe = std::min(round, cases.size());
-  run(method, cases.first(probe));
-  const double affordable = batch_nanoseconds / run(method, cases.first(probe)).nanoseconds;
-  const auto wanted = static_cast<std::size_t>(std::min(affordable, static_cast<double>(cases.size())));
-  return cases.first(std::clamp(wanted / round * round, probe, cases.size()));
+/// Its pass takes about the time that every loop's takes; the first pass also warms caches up.
+Pairs prefix_for(const NativeLoop& loop, Pairs pairs, std::size_t round) {
+  const std::size_t few = std::min(round, pairs.size());
+  Track track(loop, pairs.first(few));
+  track.pass();
+  const double affordable = pass_nanoseconds / track.pass();
+  const auto wanted = static_cast<std::size_t>(std::min(affordable, static_cast<double>(pairs.size())));
+  return pairs.first(std::clamp(wanted / round * round, few, pairs.size()));
 }
 
 /// Linear interpolation between order statistics.
@@ -45,19 +70,10 @@ double quantile(const std::vector<double>& sorted, double q) {
   return std::lerp(sorted[below], sorted[above], place - static_cast<double>(below));
 }
 
-/// One method's samples so far.
-struct Track {
-  const Method* method;
-  Cases batch;
-  std::uint64_t hits;
-  std::vector<double> samples{};
+extern "C" int answers_no_hit(int, const double*) { return 0; }
 
-  void lap() {
-    const Lap l = run(*method, batch);
-    if (l.hits != hits) throw std::logic_error(method->name + " answers the same cases differently each time");
-    samples.push_back(l.nanoseconds);
-  }
-};
+/// Volatile, so that no compiler looks behind it.
+int (*volatile const empty_function)(int, const double*) = answers_no_hit;
 
 }  // namespace
 
@@ -67,23 +83,38 @@ Timing summarise(std::vector<double> nanoseconds) {
   return {0, static_cast<int>(nanoseconds.size()), at(0), at(0.25), at(0.5), at(0.75), at(1)};
 }
 
-std::vector<Timing> time_methods(std::span<const Method* const> methods, Cases cases, std::size_t round,
-                                 int repetitions) {
+std::vector<Timing> time_loops(std::span<const NativeLoop> loops, Pairs pairs, std::size_t round, int repetitions) {
   std::vector<Track> tracks;
-  for (const Method* m : methods) {
-    const Cases batch = batch_of(*m, cases, round);
-    tracks.push_back({m, batch, run(*m, batch).hits});
-  }
+  for (const NativeLoop& loop : loops) tracks.emplace_back(loop, prefix_for(loop, pairs, round));
   for (int i = 0; i < repetitions; ++i) {
-    for (Track& track : tracks) track.lap();
+    for (Track& track : tracks) track.sample();
   }
   std::vector<Timing> timings;
-  for (const Track& track : tracks) {
-    Timing timing = summarise(track.samples);
-    timing.batch = track.batch.size();
-    timings.push_back(timing);
-  }
+  for (const Track& track : tracks) timings.push_back(track.timing());
   return timings;
+}
+
+NativeLoop single_loop(const Method& method) {
+  if (method.native.single) return method.native.single;
+  return native_loops([&method](const Segment& s, const Triangle& t) { return method.segment(s, t).hit; }).single;
+}
+
+NativeLoop set_up_loop(const Method& method) {
+  return [&method](Pairs pairs) -> NativeRun {
+    return [prepared = method.native.prepared(pairs)](std::span<std::uint8_t>, std::size_t) { prepared.set_up(); };
+  };
+}
+
+NativeLoop prepared_loop(const Method& method) {
+  return [&method](Pairs pairs) { return method.native.prepared(pairs).ask; };
+}
+
+NativeLoop empty_loop() {
+  return native_loops([](const Segment&, const Triangle&) { return false; }).single;
+}
+
+NativeLoop empty_call_loop() {
+  return native_loops([](const Segment& s, const Triangle&) { return empty_function(0, &s.p.x) != 0; }).single;
 }
 
 }  // namespace tribunal

@@ -43,7 +43,7 @@ int run(const Options& o) {
   write_file(o.out + "/chart.json", to_json(plan, chart).dump(1) + "\n");
   print(to_table(plan, chart));
   plot(o.out);
-  print("written: " + o.out + "/speed-accuracy.svg, onset.svg, the same as .png, chart.json, plot.py\n");
+  print("written: " + o.out + "/speed-accuracy.svg, onset.svg, speed.svg, the same as .png, chart.json, plot.py\n");
   return 0;
 }
 

@@ -1,6 +1,9 @@
 #include "exact/methods/filtered_method.h"
 
+#include <array>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "exact/filtered/batch.h"
 #include "exact/filtered/filtered.h"
@@ -23,6 +26,29 @@ std::optional<double> parameter_of(const Ray& r, const Triangle& t) {
   return rounded_parameter(r, t);
 }
 
+/// The pairs by columns, as the batch takes them.
+NativeRun batch_of(std::span<const SegmentPair> pairs) {
+  std::array<std::vector<double>, 15> columns;
+  for (const SegmentPair& pair : pairs) {
+    std::size_t column = 0;
+    for (const Point3& v : {pair.segment.p, pair.segment.q, pair.triangle.a, pair.triangle.b, pair.triangle.c}) {
+      for (int axis = 0; axis < 3; ++axis) columns[column++].push_back(v[axis]);
+    }
+  }
+  return [columns = std::move(columns)](std::span<std::uint8_t> hit, std::size_t) {
+    const auto points = [&](std::size_t v) {
+      return PointColumns{columns[3 * v], columns[3 * v + 1], columns[3 * v + 2]};
+    };
+    hits(SegmentColumns{points(0), points(1)}, TriangleColumns{points(2), points(3), points(4)}, hit);
+  };
+}
+
+NativeLoops loops() {
+  NativeLoops native = native_loops([](const Segment& s, const Triangle& t) { return hits(s, t); });
+  native.batch = batch_of;
+  return native;
+}
+
 }  // namespace
 
 Method sf_filtered() {
@@ -41,7 +67,8 @@ Method sf_filtered() {
       .compare_hits = [](const Ray& r, const Triangle& s, const Triangle& t) { return compare_hits(r, s, t); },
       .parameter = parameter_of,
       .batch = [](std::span<const TrianglePair> pairs, std::span<Answer> answers) { intersect(pairs, answers); },
-      .polygon = prepare};
+      .polygon = prepare,
+      .native = loops()};
 }
 
 }  // namespace tribunal

@@ -35,7 +35,8 @@ Method segura_feito_method(const KernelDescription& d, const K& k) {
                 return std::visit([&](const auto& p) { return classify(p, t, k); }, probe);
               },
           .compare_hits = [k](const Ray& r, const Triangle& s, const Triangle& t) { return k.compare_hits(r, s, t); },
-          .polygon = [k](const Polygon& polygon) { return prepare(polygon, k); }};
+          .polygon = [k](const Polygon& polygon) { return prepare(polygon, k); },
+          .native = native_loops([k](const Segment& s, const Triangle& t) { return segura_feito(s, t, k).hit; })};
 }
 
 }  // namespace tribunal

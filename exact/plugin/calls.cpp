@@ -40,7 +40,7 @@ class PreparedHere : public PreparedCalls {
   std::shared_ptr<void> prepared_{};
 };
 
-class CallsHere : public PluginCalls {
+class CallsHere final : public PluginCalls {
  public:
   CallsHere(const tribunal_plugin& plugin, tribunal_ask_polygon* polygon) : plugin_(plugin), ask_polygon_(polygon) {}
 

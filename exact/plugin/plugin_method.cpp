@@ -8,6 +8,7 @@
 #include "exact/plugin/description.h"
 #include "exact/plugin/line.h"
 #include "exact/plugin/load.h"
+#include "exact/plugin/native_loops.h"
 
 namespace tribunal {
 
@@ -248,6 +249,7 @@ void add_triangles(Method& method, const tribunal_plugin& plugin, const Line& li
   method.ray = [caller](const Ray& r, const Triangle& t) { return caller.ask(r, t); };
   if (plugin.ask == nullptr) return;
   add_batches(method, caller, plugin, line.calls->isolated());
+  method.native = native_loops_of(plugin, line);
   if (plugin.tells_t != 0) {
     method.parameter = [caller](const Ray& r, const Triangle& t) { return caller.parameter(r, t); };
   }

@@ -223,6 +223,10 @@ std::string charts(const Tour& tour) {
                        "not drawn at zero, which no sample can show: its "
                        "hollow mark stands at the most that its share of wrong answers may be, with 95 % confidence. " +
                            cost_in_words(tour.chart)) +
+                     chart("speed",
+                           "What a test costs its own users, in a loop that was compiled around it, by the share of "
+                           "hits. A test that prepares triangles is shown as it comes, which includes preparing one, "
+                           "and prepared; the time to prepare is beside it.") +
                      chart("onset",
                            "How long the numbers must be before rounding shows. To the left the coordinates are short "
                            "and every product is exact; once products no longer fit the significand, naive methods "

@@ -18,4 +18,4 @@ status=0
 [ "$status" -eq 1 ] && grep -q 'sf-double .*WRONG' "$scratch/replayed"
 
 "$TRIBUNAL" chart --out "$scratch/charts" --count 3000 >/dev/null
-for file in chart.json speed-accuracy.svg speed-accuracy.png onset.svg onset.png; do [ -s "$scratch/charts/$file" ]; done
+for file in chart.json speed-accuracy.svg speed-accuracy.png onset.svg onset.png speed.svg speed.png; do [ -s "$scratch/charts/$file" ]; done

@@ -146,13 +146,13 @@ TEST(Timing, SummaryInterpolatesBetweenSamples) {
   EXPECT_DOUBLE_EQ(t.max, 4);
 }
 
-TEST(Plot, DrawsBothFiguresAndTheSameBytesAgain) {
+TEST(Plot, DrawsAllFiguresAndTheSameBytesAgain) {
   const testing::TemporaryDirectory directory;
   directory.file("chart.json", small_chart().dump());
   plot(directory.path("."));
   const std::string first = read_file(directory.path("speed-accuracy.svg"));
   EXPECT_NE(first.find("<svg"), std::string::npos);
-  for (const char* name : {"speed-accuracy.png", "onset.svg", "onset.png"}) {
+  for (const char* name : {"speed-accuracy.png", "onset.svg", "onset.png", "speed.svg", "speed.png"}) {
     EXPECT_GT(read_file(directory.path(name)).size(), 1000u) << name;
   }
   plot(directory.path("."));

@@ -1,0 +1,105 @@
+#include "exact/chart/speed.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "exact/base/json.h"
+#include "exact/chart/pairs.h"
+#include "exact/chart/timing_json.h"
+
+namespace tribunal {
+namespace {
+
+/// 480 KB of pairs: they fit a second-level cache. No power of two: columns a multiple of 4 KB apart would fight for
+/// the same cache lines.
+constexpr std::size_t timed_pairs = 4000;
+
+struct Call {
+  SpeedRow row;
+  NativeLoop loop;
+};
+
+constexpr const char* set_up = "set-up";
+
+void add_calls(std::vector<Call>& calls, const Method& m) {
+  calls.push_back({{m.name, "single", m.native.prepared ? 0 : m.native.bytes, {}}, single_loop(m)});
+  if (m.native.batch) calls.push_back({{m.name, "batch", m.native.bytes, {}}, m.native.batch});
+  if (!m.native.prepared) return;
+  calls.push_back({{m.name, "prepared", m.native.bytes, {}}, prepared_loop(m)});
+  calls.push_back({{m.name, set_up, m.native.bytes, {}}, set_up_loop(m)});
+}
+
+std::vector<Call> calls_of(std::span<const Method> methods) {
+  std::vector<Call> calls = {{{"(empty loop)", "single", 0, {}}, empty_loop()},
+                             {{"(empty C function)", "single", 0, {}}, empty_call_loop()}};
+  for (const Method& m : methods) {
+    if (m.segment && m.contract.probes.segments && m.contract.triangles != Triangles::none) add_calls(calls, m);
+  }
+  return calls;
+}
+
+std::string cell(const Timing& t) {
+  char text[48];
+  std::snprintf(
+      text, sizeof text, "%9.1f %-15s", t.median,
+      ("(" + std::to_string(t.lower_quartile).substr(0, 5) + "-" + std::to_string(t.upper_quartile).substr(0, 5) + ")")
+          .c_str());
+  return text;
+}
+
+}  // namespace
+
+std::vector<SpeedRow> measure_speed(std::span<const Method> methods, int repetitions) {
+  std::vector<Call> calls = calls_of(methods);
+  std::vector<NativeLoop> loops;
+  for (const Call& call : calls) loops.push_back(call.loop);
+  for (const int percent : hit_shares) {
+    const std::vector<SegmentPair> pairs = random_pairs(timed_pairs, percent);
+    const std::vector<Timing> times = time_loops(loops, pairs, timed_pairs / 40, repetitions);
+    for (std::size_t i = 0; i < calls.size(); ++i) calls[i].row.times.push_back(times[i]);
+  }
+  std::vector<SpeedRow> rows;
+  for (Call& call : calls) {
+    if (call.row.call == set_up) call.row.times.resize(1);
+    rows.push_back(std::move(call.row));
+  }
+  return rows;
+}
+
+Json to_json(const std::vector<SpeedRow>& rows) {
+  Json array = Json::array();
+  for (const SpeedRow& r : rows) {
+    for (std::size_t i = 0; i < r.times.size(); ++i) {
+      Json row = {{"method", r.method}, {"call", r.call}, {"nanoseconds", timing_json(r.times[i])}};
+      row["bytes"] = r.bytes == 0 ? Json() : Json(r.bytes);
+      row["percent_hits"] = r.call == set_up ? Json() : Json(hit_shares[i]);
+      array.push_back(row);
+    }
+  }
+  return array;
+}
+
+std::string to_table(const std::vector<SpeedRow>& rows) {
+  std::string text =
+      "Time of a test by the share of hits: random segments and triangles, native loops, ns (quartiles); set-up: ns a "
+      "triangle\n";
+  char line[200];
+  std::snprintf(line, sizeof line, "  %-22s %-9s %5s", "method", "call", "bytes");
+  text += line;
+  for (const int percent : hit_shares) {
+    std::snprintf(line, sizeof line, " %25s", (std::to_string(percent) + " % hits          ").c_str());
+    text += line;
+  }
+  text += "\n";
+  for (const SpeedRow& r : rows) {
+    std::snprintf(line, sizeof line, "  %-22s %-9s %5s", r.method.c_str(), r.call.c_str(),
+                  r.bytes == 0 ? "" : std::to_string(r.bytes).c_str());
+    text += line;
+    for (const Timing& t : r.times) text += " " + cell(t);
+    text.erase(text.find_last_not_of(' ') + 1);
+    text += "\n";
+  }
+  return text + "\n";
+}
+
+}  // namespace tribunal
