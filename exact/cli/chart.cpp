@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "exact/base/failure.h"
 #include "exact/base/files.h"
 #include "exact/base/json.h"
 #include "exact/cli/command.h"
@@ -13,6 +14,8 @@
 
 namespace tribunal {
 namespace {
+
+bool takes_segments(const Method& m) { return m.contract.triangles != Triangles::none && m.contract.probes.segments; }
 
 /// Figures with all rivals cannot be read: of the methods with an exact twin only those with the role are drawn.
 bool is_charted(const Method& m) {
@@ -29,17 +32,33 @@ ChartPlan plan_of(const Options& o) {
   ChartPlan plan = o.plan;
   if (o.methods.empty() || o.methods == "all") {
     std::ranges::copy_if(all_methods(), std::back_inserter(plan.methods),
-                         [&](const Method& m) { return !o.methods.empty() || is_charted(m); });
+                         [&](const Method& m) { return takes_segments(m) && (!o.methods.empty() || is_charted(m)); });
   } else {
     plan.methods = methods_named(o.methods);
   }
+  for (const Method& m : plan.methods) {
+    if (!takes_segments(m)) {
+      throw Failure(Exit::usage, m.name + ": a chart asks segments and triangles, which it does not take (" +
+                                     in_words(m.contract) + ")");
+    }
+  }
   return plan;
+}
+
+/// A method of which no answer was judged has no accuracy to draw.
+void require_judged(const ChartPlan& plan, const Chart& chart) {
+  for (std::size_t m = 0; m < plan.methods.size(); ++m) {
+    const auto judged = [&](const ChartRow& row) { return row.method == m && row.count.judged() > 0; };
+    if (std::ranges::any_of(chart.rows, judged)) continue;
+    throw Failure(Exit::usage, plan.methods[m].name + ": nothing was judged, its contract owes an answer to no case");
+  }
 }
 
 int run(const Options& o) {
   const ChartPlan plan = plan_of(o);
   make_directory(o.out);
   const Chart chart = measure(plan);
+  require_judged(plan, chart);
   write_file(o.out + "/chart.json", to_json(plan, chart).dump(1) + "\n");
   print(to_table(plan, chart));
   plot(o.out);

@@ -246,6 +246,18 @@ void write_findings(const Options& o, const FuzzPlan& plan, const FuzzReport& re
         (cases.empty() ? "" : "; `tribunal replay` shows them") + "\n");
 }
 
+/// A method of which no answer was judged has not been tried, and that is no success.
+void require_judged(const FuzzPlan& plan, const FuzzReport& report) {
+  std::vector<std::uint64_t> judged(plan.methods.size());
+  report.counts.for_each([&](const Cell& c, const Count& count) { judged[c.method] += count.judged(); });
+  for (std::size_t m = 0; m < judged.size(); ++m) {
+    if (judged[m] > 0) continue;
+    throw Failure(Exit::usage, plan.methods[m].name + ": nothing was judged, its contract owes an answer to none of " +
+                                   std::to_string(report.cases) + " cases (" + in_words(plan.methods[m].contract) +
+                                   ")");
+  }
+}
+
 int run(const Options& o, const FuzzPlan& plan) {
   if (o.relations) return run_relations(plan, o.out);
   watch_interrupts();  // from here on a signal leaves a checkpoint
@@ -261,6 +273,7 @@ int run(const Options& o, const FuzzPlan& plan) {
   } else if (!o.out.empty()) {
     write_findings(o, plan, report);
   }
+  if (complete) require_judged(plan, report);
   return exit_code_after(code(report.findings.empty() ? Exit::ok : Exit::disagreement), complete ? 0 : interrupted());
 }
 

@@ -1,0 +1,26 @@
+#!/usr/bin/env bash
+# A command that judged nothing of a method has not tried it: it fails, with one line that says so.
+source "$(dirname "$0")/common.bash"
+cd "$scratch"
+
+cat >rays.c <<'C'
+#include "tribunal_plugin.h"
+static int ask(int probe, const double* query) { (void)probe; (void)query; return 0; }
+static const tribunal_plugin rays = {TRIBUNAL_PLUGIN_ABI, "rays-only", "", "", TRIBUNAL_BINARY64,
+                                     TRIBUNAL_CLOSED, ask, NULL, TRIBUNAL_NO_SEGMENTS, 0, 0, 0,
+                                     NULL, 0, 0, NULL, NULL, NULL};
+const tribunal_plugin* tribunal_plugin_describe(void) { return &rays; }
+C
+plugin rays rays.c
+
+# Case 0 of this family is a segment.
+expect 2 fuzz --plugin rays.so --method rays-only --family grazing --count 1
+says err 'rays-only: nothing was judged'
+expect 2 fuzz --plugin rays.so --method sf-double,rays-only --family grazing --count 1
+says err 'rays-only: nothing was judged'
+expect 1 fuzz --plugin rays.so --method rays-only --family grazing --count 2000
+expect 2 chart --plugin rays.so --method rays-only --count 100 --out charts
+says err 'rays-only: a chart asks segments and triangles'
+expect 2 chart --method haines-double --count 100 --out charts
+says err 'haines-double: a chart asks segments and triangles'
+expect 0 fuzz --method sf-rational --family grazing --count 1
