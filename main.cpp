@@ -14,6 +14,8 @@ int main(int argc, char** argv) {
        "tribunal cases --family affine,ulp --fmt binary64 --count 10000 --out cases.jsonl", declare_cases},
       {"judge", "judge answers that were computed elsewhere",
        "tribunal judge --cases cases.jsonl --answers answers.jsonl --out judged", declare_judge},
+      {"check", "hold a method against what a case file expects",
+       "tribunal check cases.jsonl --method sf-double --exact", declare_check},
       {"shrink", "make a counterexample minimal", "tribunal shrink findings/counterexamples.jsonl", declare_shrink},
       {"replay", "show the exact signs of a case and every method's answer to it",
        "tribunal replay findings/counterexamples.jsonl", declare_replay},

@@ -62,6 +62,7 @@ Action declare_replay(Arguments& arguments);
 Action declare_cases(Arguments& arguments);
 Action declare_judge(Arguments& arguments);
 Action declare_certify(Arguments& arguments);
+Action declare_check(Arguments& arguments);
 Action declare_verify(Arguments& arguments);
 Action declare_chart(Arguments& arguments);
 

@@ -13,6 +13,7 @@
 #include "exact/record/checkpoint.h"
 #include "exact/record/counterexample.h"
 #include "exact/record/environment.h"
+#include "exact/record/plainest.h"
 #include "exact/record/sample_row.h"
 #include "exact/trial/coverage.h"
 
@@ -246,6 +247,16 @@ void write_findings(const Options& o, const FuzzPlan& plan, const FuzzReport& re
         (cases.empty() ? "" : "; `tribunal replay` shows them") + "\n");
 }
 
+/// The finding that ranks first of all, shrunk, for the terminal.
+std::string plainest(const FuzzPlan& plan, const FuzzReport& report) {
+  if (report.findings.empty()) return "";
+  const Finding& f = *std::ranges::min_element(report.findings, {}, &Finding::rank);
+  const Method& method = plan.methods[f.method];
+  const Case c = to_counterexample(plan, f);
+  return "the plainest counterexample, " + in_words(f.outcome, f.severity, f.cause) + ":\n" +
+         counterexample_in_words(method, c) + "\n";
+}
+
 /// A method of which no answer was judged has not been tried, and that is no success.
 void require_judged(const FuzzPlan& plan, const FuzzReport& report) {
   std::vector<std::uint64_t> judged(plan.methods.size());
@@ -273,6 +284,7 @@ int run(const Options& o, const FuzzPlan& plan) {
   } else if (!o.out.empty()) {
     write_findings(o, plan, report);
   }
+  if (complete) print(plainest(plan, report));
   if (complete) require_judged(plan, report);
   return exit_code_after(code(report.findings.empty() ? Exit::ok : Exit::disagreement), complete ? 0 : interrupted());
 }
