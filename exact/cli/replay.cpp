@@ -5,13 +5,23 @@
 #include "exact/cli/command.h"
 #include "exact/methods/methods.h"
 #include "exact/record/counterexample.h"
+#include "exact/record/emit.h"
 
 namespace tribunal {
 namespace {
 
-int run_replay(const std::string& file) {
+struct ReplayOptions {
+  std::string file, language, function = "my_test";
+};
+
+int run_replay(const ReplayOptions& o) {
+  const std::vector<Case> cases = read_cases(o.file);
+  if (!o.language.empty()) {
+    print(emit(cases, o.language, o.function, o.file));
+    return code(Exit::ok);
+  }
   bool any_wrong = false;
-  for (const Case& c : read_cases(file)) {
+  for (const Case& c : cases) {
     bool wrong = false;
     print(replay(c, wrong) + "\n");
     any_wrong |= wrong;
@@ -44,9 +54,12 @@ int run_shrink(const std::string& file, const std::string& method, const std::st
 }  // namespace
 
 Action declare_replay(Arguments& arguments) {
-  const auto file = std::make_shared<std::string>();
-  arguments.option("FILE", *file, "case or counterexample file (JSON Lines); - is standard input").required();
-  return with_plugins(arguments, [file] { return run_replay(*file); });
+  const auto o = std::make_shared<ReplayOptions>();
+  arguments.option("FILE", o->file, "case or counterexample file (JSON Lines); - is standard input").required();
+  arguments.option("--emit", o->language, "print a test to paste instead, which expects the exact answer")
+      .one_of(emitted_languages());
+  arguments.option("--function", o->function, "what the test asks: FUNCTION_segment and FUNCTION_ray").shows_default();
+  return with_plugins(arguments, [o] { return run_replay(*o); });
 }
 
 Action declare_shrink(Arguments& arguments) {

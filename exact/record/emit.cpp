@@ -1,0 +1,171 @@
+#include "exact/record/emit.h"
+
+#include <cctype>
+#include <cstdio>
+
+#include "core/kernel.h"
+#include "exact/base/failure.h"
+#include "exact/kernels/rational_kernel.h"
+#include "exact/trial/describe.h"
+
+namespace tribunal {
+namespace {
+
+/// A number that C, C++ and Python's float.fromhex read back as it is.
+std::string hex(double x) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%a", x);
+  return text;
+}
+
+template <class Write>
+std::string joined(std::initializer_list<Point3> points, const Write& write) {
+  std::string text;
+  for (const Point3& p : points) {
+    for (int axis = 0; axis < 3; ++axis) text += (text.empty() ? "" : ", ") + write(p[axis]);
+  }
+  return text;
+}
+
+const Point3& vector_of(const Point3& p) { return p; }
+const Point3& vector_of(const Direction& d) { return d.v; }
+
+/// What a test needs of a case, as text.
+struct Parts {
+  std::string name;     ///< of letters, digits and _
+  std::string comment;  ///< id and exact answer
+  std::string kind;     ///< "segment" or "ray"
+  std::string probe{}, triangle{};
+  bool hit;
+};
+
+template <class Write>
+Parts parts_of(const Case& c, std::size_t number, const Write& write) {
+  const Truth truth = exact_truth(c.query);
+  Parts parts{.name = "case_" + std::to_string(number) + "_" + c.id,
+              .comment = c.id + ": " + describe(truth),
+              .kind = is_of_ray(c.query) ? "ray" : "segment",
+              .hit = truth.hit()};
+  for (char& letter : parts.name) {
+    if (std::isalnum(static_cast<unsigned char>(letter)) == 0) letter = '_';
+  }
+  const Triangle& t = c.query.triangle();
+  parts.triangle = joined({t.a, t.b, t.c}, write);
+  parts.probe = std::visit(
+      [&](const auto& p) {
+        return joined({source(p), vector_of(target(p))}, write);
+      },
+      c.query.probe);
+  return parts;
+}
+
+std::string arrays(const Parts& p) {
+  return "  const double probe[6] = {" + p.probe + "};\n  const double triangle[9] = {" + p.triangle + "};\n";
+}
+
+std::string call(const Parts& p, const std::string& function) { return function + "_" + p.kind + "(probe, triangle)"; }
+
+std::string c_test(const Parts& p, const std::string& function) {
+  return "/* " + p.comment + " */\nstatic void " + p.name + "(void) {\n" + arrays(p) + "  assert(" + call(p, function) +
+         (p.hit ? " == 1" : " == 0") + ");\n}\n\n";
+}
+
+std::string declarations(const std::string& function) {
+  std::string text;
+  for (const char* kind : {"segment", "ray"}) {
+    text += "int " + function + "_" + kind + "(const double probe[6], const double triangle[9]);\n";
+  }
+  return text + "\n";
+}
+
+std::string c_file(const std::vector<Parts>& all, const std::string& function) {
+  std::string text = "#undef NDEBUG\n#include <assert.h>\n\n" + declarations(function), calls;
+  for (const Parts& p : all) {
+    text += c_test(p, function);
+    calls += "  " + p.name + "();\n";
+  }
+  return text + "int main(void) {\n" + calls + "  return 0;\n}\n";
+}
+
+std::string gtest_file(const std::vector<Parts>& all, const std::string& function) {
+  std::string text = "#include <gtest/gtest.h>\n\nextern \"C\" {\n" + declarations(function);
+  text.replace(text.size() - 1, 1, "}\n\n");
+  for (const Parts& p : all) {
+    text += "// " + p.comment + "\nTEST(Tribunal, " + p.name + ") {\n" + arrays(p) + "  EXPECT_EQ(" +
+            call(p, function) + ", " + (p.hit ? "1" : "0") + ");\n}\n\n";
+  }
+  text.pop_back();
+  return text;
+}
+
+std::string signs_of(const Query& query) {
+  const RationalKernel k;
+  const Triangle& t = query.triangle();
+  const auto signs = [&](const auto& probe) {
+    const Point3& p = source(probe);
+    const auto& q = target(probe);
+    std::string text;
+    for (const Sign s : {k.orient3d(t.a, t.b, t.c, p), k.orient3d(t.a, t.b, t.c, q), k.orient3d(p, t.a, t.b, q),
+                         k.orient3d(p, t.b, t.c, q), k.orient3d(p, t.c, t.a, q)}) {
+      text += (text.empty() ? "" : ", ") + std::to_string(value(s));
+    }
+    return text;
+  };
+  return std::visit(signs, query.probe);
+}
+
+constexpr const char* python_head = R"(from fractions import Fraction
+
+
+def numbers(*texts):
+    flat = [Fraction(float.fromhex(t)) for t in texts]
+    return [flat[i:i + 3] for i in range(0, len(flat), 3)]
+
+
+def minus(x, o):
+    return [a - b for a, b in zip(x, o)]
+
+
+def volume(o, b, c, x, x_is_direction=False):
+    """The sign of the determinant of b - o, c - o and x - o (or the direction x itself)."""
+    u, v, w = minus(b, o), minus(c, o), x if x_is_direction else minus(x, o)
+    d = (u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0]) + u[2] * (v[0] * w[1] - v[1] * w[0]))
+    return (d > 0) - (d < 0)
+
+
+def signs(p, q, a, b, c, ray):
+    return [volume(a, b, c, p), volume(a, b, c, q, ray), volume(p, a, b, q, ray), volume(p, b, c, q, ray),
+            volume(p, c, a, q, ray)]
+
+
+)";
+
+std::string python_file(const std::vector<Parts>& all, const std::vector<Case>& cases) {
+  std::string text = python_head;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Parts& p = all[i];
+    text += "# " + p.comment + "\np, q = numbers(" + p.probe + ")\na, b, c = numbers(" + p.triangle +
+            ")\nassert signs(p, q, a, b, c, " + (p.kind == "ray" ? "True" : "False") + ") == [" +
+            signs_of(cases[i].query) + "]\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> emitted_languages() { return {"c", "gtest", "python"}; }
+
+std::string emit(const std::vector<Case>& cases, std::string_view language, const std::string& function,
+                 const std::string& file) {
+  const auto quoted = [](double x) { return "'" + hex(x) + "'"; };
+  std::vector<Parts> all;
+  for (const Case& c : cases) {
+    if (c.query.operands() != Operands::triangles)
+      throw bad_input(file, 0, c.id + " is of a polygon, expected triangles");
+    all.push_back(language == "python" ? parts_of(c, all.size() + 1, quoted) : parts_of(c, all.size() + 1, hex));
+  }
+  if (language == "python") return python_file(all, cases);
+  return language == "c" ? c_file(all, function) : gtest_file(all, function);
+}
+
+}  // namespace tribunal
