@@ -67,8 +67,8 @@ LanesAtWork search_packets(const WideTree& tree, std::span<const Ray> rays, std:
     packet_target().first_hits({tree, {}, {}}, packet, a);
     for (std::size_t lane = 0; lane < some.size(); ++lane) {
       std::optional<Nearest>& hit = hits[from + lane];
-      const unsigned told = a.known & (a.close | ~a.hit);
-      if ((told >> lane & 1) == 0) {
+      const unsigned answered = a.known & (a.close | ~a.hit);
+      if ((answered >> lane & 1) == 0) {
         hit = search(tree, some[lane]);
       } else if ((a.hit >> lane & 1) == 0) {
         hit.reset();

@@ -54,7 +54,7 @@ class TriangleTree {
   std::optional<Nearest> closest(const Ray& ray) const;
 
   /// hits[i] = closest(rays[i]), in less time per ray: rays that take nearly the same path as their neighbours in the
-  /// list walk in packets, other rays walk as a stream, many in turn. The first rays of a call decide which of the
+  /// list walk in packets, other rays walk as a stream, many in turn. Samples within the call decide which of the
   /// two is used; it is best to pass a thousand rays or more, with similar rays next to each other. Throws
   /// std::invalid_argument if the lists differ in length. Allocates nothing.
   void closest(std::span<const Ray> rays, std::span<std::optional<Nearest>> hits) const;

@@ -16,7 +16,7 @@ struct Filtered {
   double source[leaf_size], toward[leaf_size], bound[leaf_size];
 
   /// Passes the candidates to the query until it wants no more; returns whether that was so.
-  HWY_NOINLINE bool tell(NodeRef leaf, CandidateQuery& query) const {
+  HWY_NOINLINE bool report(NodeRef leaf, CandidateQuery& query) const {
     for (unsigned left = rest; left != 0; left &= left - 1) {
       const auto k = static_cast<std::uint32_t>(std::countr_zero(left));
       const bool known = (safe >> k & 1) != 0;
@@ -75,7 +75,7 @@ class LeafFilter {
 };
 
 /// Passes all primitives of a leaf to the query as candidates of which nothing is known.
-inline bool tell_all(NodeRef leaf, CandidateQuery& query) {
+inline bool report_all(NodeRef leaf, CandidateQuery& query) {
   for (std::uint32_t lane = 0; lane < leaf.count(); ++lane) {
     if (query.found({{leaf, lane}, false, 0, 0, std::numeric_limits<double>::infinity()})) return true;
   }

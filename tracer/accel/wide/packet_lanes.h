@@ -12,8 +12,8 @@ inline constexpr unsigned all_lanes = (1U << packet_size) - 1, chunk_lanes = (1U
 
 /// The state of a packet's walk: the lanes that still search, the limit on τ of each, and what they found.
 struct PacketState {
-  PacketState(const ProbePacket& p, const ProbeColumns& boxes, PacketAnswer& told)
-      : packet(p), asking(p.lanes & boxes.held), answer(told) {}
+  PacketState(const ProbePacket& p, const ProbeColumns& boxes, PacketAnswer& a)
+      : packet(p), asking(p.lanes & boxes.held), answer(a) {}
 
   const ProbePacket& packet;
   alignas(64) float limit[packet_size] = {};
@@ -133,9 +133,10 @@ class PacketFilter {
     return ((x >= id) & (x <= id)).bits();
   }
 
-  HWY_INLINE void count(unsigned told, std::size_t c) {
+  HWY_INLINE void count(unsigned decided, std::size_t c) {
     double* const tests = state_.answer.tests + c;
-    hn::StoreU(hn::Add(hn::LoadU(tag, tests), hn::IfThenElseZero(mask_of(tag, told), hn::Set(tag, 1.0))), tag, tests);
+    hn::StoreU(hn::Add(hn::LoadU(tag, tests), hn::IfThenElseZero(mask_of(tag, decided), hn::Set(tag, 1.0))), tag,
+               tests);
   }
 
   template <class Hit>
@@ -148,11 +149,11 @@ class PacketFilter {
         equal(state_.packet.excluded[0] + c, this_id) | equal(state_.packet.excluded[1] + c, this_id);
     verdict.missed |= excluded;
     verdict.hit &= asked & ~excluded;
-    const unsigned told = asked & (verdict.missed | verdict.hit);
+    const unsigned decided = asked & (verdict.missed | verdict.hit);
     PacketAnswer& answer = state_.answer;
-    (is_triangle ? answer.triangle_tests : answer.polygon_tests) += static_cast<unsigned>(std::popcount(told));
-    count(told, c);
-    if (told != asked) state_.drop((asked & ~told) << c);
+    (is_triangle ? answer.triangle_tests : answer.polygon_tests) += static_cast<unsigned>(std::popcount(decided));
+    count(decided, c);
+    if (decided != asked) state_.drop((asked & ~decided) << c);
     if (verdict.hit == 0) return;
     (is_triangle ? answer.triangle_hits : answer.polygon_hits) += static_cast<unsigned>(std::popcount(verdict.hit));
     hit(this_id, c, verdict);
@@ -174,15 +175,15 @@ class PacketFilter {
     if constexpr (std::is_same_v<P, Ray>) {
       const Lanes far = certain.bound * Lanes(0x1p24);
       const unsigned near = ((magnitude(verdict.num) < far) | (magnitude(verdict.den) < far)).bits();
-      if (HWY_UNLIKELY((verdict.hit & asked & near) != 0)) come_closer(t, source, target, verdict);
+      if (HWY_UNLIKELY((verdict.hit & asked & near) != 0)) tighten_bounds(t, source, target, verdict);
     }
     return verdict;
   }
 
   /// Replaces num, den and their bounds by those of the filter by terms, which stay close where the triangle is small
   /// and far away.
-  HWY_INLINE void come_closer(const LiftedTriangle<Lanes>& t, const Vec3<Lanes>& source, const Vec3<Lanes>& direction,
-                              LaneVerdict& verdict) const {
+  HWY_INLINE void tighten_bounds(const LiftedTriangle<Lanes>& t, const Vec3<Lanes>& source,
+                                 const Vec3<Lanes>& direction, LaneVerdict& verdict) const {
     const Vec3<Lanes> u = t.b - t.a, v = t.c - t.a;
     const Expansion<Lanes> height = expanded(u, v, source - t.a), gain = expanded(u, v, direction);
     const Lanes k(volume_terms_filter.k), tiny(volume_terms_filter.tiny);

@@ -95,7 +95,7 @@ class Stream {
     queues_.take_all(filter_leaf, [&](Walker& w) HWY_ATTR {
       LeafFilter<Ray>(*w.walk->ray).filter(tree_, w.at, filtered_, counts_);
       if (filtered_.rest != 0) {
-        filtered_.tell(w.at, *w.walk->query);
+        filtered_.report(w.at, *w.walk->query);
         w.limit = w.walk->query->limit;
       }
       queues_.add(after(w), &w);

@@ -159,15 +159,15 @@ template <class P>
   const LeafFilter<P> filter(exact_probe);
   Filtered filtered;
   walk(tree, probe, query, counts, [&](NodeRef leaf) HWY_ATTR {
-    if (!leaf.holds_triangles()) return tell_all(leaf, query);
+    if (!leaf.holds_triangles()) return report_all(leaf, query);
     filter.filter(tree, leaf, filtered, counts);
-    return filtered.rest != 0 && filtered.tell(leaf, query);
+    return filtered.rest != 0 && filtered.report(leaf, query);
   });
 }
 
 [[gnu::flatten]] inline void visit_all(const WideTree& tree, const WideProbe& probe, CandidateQuery& query,
                                        WalkCounts& counts) {
-  walk(tree, probe, query, counts, [&](NodeRef leaf) { return tell_all(leaf, query); });
+  walk(tree, probe, query, counts, [&](NodeRef leaf) { return report_all(leaf, query); });
 }
 
 }  // namespace tribunal::HWY_NAMESPACE
