@@ -22,9 +22,8 @@ namespace tribunal::testing {
 struct ScaledScene {
   std::vector<Triangle> triangles;
   std::vector<Ray> rays;
-  std::vector<std::uint8_t> hit;  ///< ray r hits triangle t: element r·triangles.size() + t
-  std::vector<std::optional<std::uint32_t>>
-      closest;  ///< for each ray, the triangle of least t, then least id; triangles in the ray's plane do not count
+  std::vector<std::uint8_t> hit;                      ///< ray r hits triangle t: element r·triangles.size() + t
+  std::vector<std::optional<std::uint32_t>> closest;  ///< for each ray: least t, then least id, none in its plane
 
   bool hits(std::size_t ray, std::size_t triangle) const { return hit[ray * triangles.size() + triangle] != 0; }
 };
