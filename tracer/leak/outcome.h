@@ -9,7 +9,7 @@
 
 namespace tribunal::leak {
 
-/// The outcome of a subject on a ray; judge.cpp decides it.
+/// The outcome of a subject on a ray. docs/leak.md has the definitions for people; judge.cpp has them as code.
 enum class Outcome : std::uint8_t {
   leak,        ///< it passes through the surface, and no face is reported there
   lost,        ///< a leak, and no face is reported at all
