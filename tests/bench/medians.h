@@ -1,4 +1,4 @@
-// What every benchmark program here does: run all benchmarks interleaved, gather their repetitions, print ratios of
+// What the benchmark programs share: they run all benchmarks interleaved, collect the repetitions, and print ratios of
 // medians with their spread.
 #pragma once
 
@@ -10,8 +10,8 @@
 
 namespace tribunal::bench {
 
-/// Collects the repetitions of every benchmark, in nanoseconds an item, while the console shows its own table. Times
-/// are CPU times, since others may use the machine.
+/// Collects the time of every repetition of every benchmark, in nanoseconds per item, besides the table on the
+/// console. Times are CPU times, since other programs may use the machine.
 class Medians : public benchmark::ConsoleReporter {
  public:
   Medians() : ConsoleReporter(OO_None) {}
@@ -24,10 +24,11 @@ class Medians : public benchmark::ConsoleReporter {
   bool has(const std::string& name) const { return samples_.count(name) > 0; }
   double median(const std::string& name) const { return quantile(name, 0.5); }
 
-  /// Median, quartiles and number of repetitions of each benchmark; `item` says what one item is.
+  /// Prints the median, the quartiles and the number of repetitions of each benchmark; `item` names one item.
   void print(const char* item) const;
 
-  /// `ratio NAME VALUE [LOW, HIGH]`, if both were measured: the quotient of two medians, and of opposite quartiles.
+  /// Prints `ratio NAME VALUE [LOW, HIGH]` if both were measured: the quotient of two medians, and those of opposite
+  /// quartiles.
   void print_ratio(const std::string& name, const std::string& over, const std::string& under) const;
 
  private:
@@ -36,14 +37,14 @@ class Medians : public benchmark::ConsoleReporter {
   std::map<std::string, std::vector<double>> samples_;
 };
 
-/// How often each benchmark is run, and how long at least each time.
+/// How often each benchmark is run, and the least time of each run.
 struct Repetition {
   int repetitions;
   double seconds = 0.02;
 };
 
-/// Runs all that was registered, in random order, repeated like this unless the arguments (Google Benchmark's) say
-/// otherwise. Returns the exit code for main: 0, or 2 where an argument is unknown, or 1 where nothing ran.
+/// Runs all registered benchmarks in random order, with these repetitions unless Google Benchmark's arguments say
+/// otherwise. Returns the exit code for main: 0; 1 if nothing ran; 2 if an argument is unknown.
 int run_interleaved(int argc, char** argv, Repetition repetition, Medians& medians);
 
 }  // namespace tribunal::bench

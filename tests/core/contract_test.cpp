@@ -1,4 +1,4 @@
-// What a contract says in words, and what it owes, value by value.
+// The prose of a contract, and what it owes, for each value of its fields.
 #include "core/contract.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ TEST(Contract, ProseIsMadeOfEveryValue) {
   EXPECT_EQ(in_words({.ends = Ends::unspecified}), "segment, ray; any triangle, no ends");
 }
 
-/// Two contracts that differ in what they restrict are not told alike.
+/// Two contracts with different restrictions have different prose.
 TEST(Contract, ProseTellsRestrictionsApart) {
   std::set<std::string> words;
   std::size_t contracts = 0;

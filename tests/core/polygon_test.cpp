@@ -18,17 +18,17 @@ const PolygonData frame = PolygonData{}
 
 const PolygonData dart = PolygonData{}.add(std::vector<Point3>{{0, 0, 0}, {12, 6, 0}, {0, 12, 0}, {4, 6, 0}});
 
-/// Prepared and on the fly, which must agree.
+/// The answer of the prepared polygon, which must equal that of the unprepared one.
 template <class P>
 Answer ask(const P& probe, const Polygon& polygon) {
   const Answer prepared = segura_feito(probe, cover(polygon, k), k);
   Answer on_the_fly = segura_feito(probe, polygon, k);
-  on_the_fly.planar = prepared.planar;  // which it does not ask for
+  on_the_fly.planar = prepared.planar;  // the decision without preparation does not use it
   EXPECT_EQ(on_the_fly, prepared);
   return prepared;
 }
 
-/// Straight down through (x, y, 0).
+/// The answer to a segment straight down through (x, y, 0).
 Answer down(double x, double y, const Polygon& polygon) {
   const Answer a = ask(Segment{{x, y, 1}, {x, y, -1}}, polygon);
   EXPECT_TRUE(a.planar);
@@ -86,7 +86,7 @@ TEST(PolygonTest, RingsWithoutArea) {
   EXPECT_EQ(ask(Segment{{1, -1, 0}, {1, 1, 0}}, cross), hit_at(Contact::coplanar));
 }
 
-/// Folded along the spoke from (0,0,0) to (9,9,0), whose height the other corners do not share.
+/// A quadrilateral folded along the spoke from (0,0,0) to (9,9,0); the two other corners are off the plane z = 0.
 TEST(PolygonTest, NotPlanar) {
   const PolygonData fold = PolygonData{}.add(std::vector<Point3>{{0, 0, 0}, {9, 0, 3}, {9, 9, 0}, {0, 9, 3}});
   const Answer through = ask(Segment{{6, 3, 9}, {6, 3, -9}}, fold);
@@ -99,7 +99,8 @@ TEST(PolygonTest, NotPlanar) {
   EXPECT_EQ(ask(Segment{{9, 0, 3}, {12, 0, 9}}, fold).contact, Contact::vertex);
 }
 
-/// Three turns of a stair around the first vertex; the probe starts on the first step and goes up through the others.
+/// A spiral stair of three turns around the first vertex. The probe starts on the first step and goes up through the
+/// others, so that no single place of contact can be named.
 TEST(PolygonTest, SeveralPlacesAreNoOnePlace) {
   const PolygonData stair = PolygonData{}.add(std::vector<Point3>{
       {0, 0, 0}, {4, -4, 2}, {4, 4, 2}, {-8, 0, 0}, {4, -4, 4}, {4, 4, 4}, {-8, 0, 0}, {4, -4, 6}, {4, 4, 6}});

@@ -16,7 +16,7 @@ using namespace published;
 
 const Triangle t{{0, 0, 0}, {8, 0, 0}, {0, 4, 0}};
 
-/// Through the point with weights 1/4 of b and 1/2 of c, at a quarter of the way.
+/// A segment that meets the triangle at t = 1/4, in the point with weight 1/4 of b and 1/2 of c.
 const Segment through{{3, 0, 1}, {-1, 8, -3}};
 
 TEST(Rivals, OfSegmentsTellWhereTheyAreMet) {

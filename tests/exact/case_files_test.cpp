@@ -12,7 +12,7 @@ struct FileOfCases {
   std::size_t cases;
 };
 
-/// Found in the field or by attacks on this program; sources stand in the files.
+/// Files of cases that were reported in the field, or found by attacks on this program; the files name the sources.
 constexpr FileOfCases files[] = {{"data/cases/published-reports.jsonl", 569},
                                  {"data/cases/published-rivals.jsonl", 4},
                                  {"data/cases/ray-scales.jsonl", 5}};

@@ -16,7 +16,7 @@ namespace tribunal::testing_certificates {
 
 inline Method method(const char* name) { return *find_method(name); }
 
-/// Few cases a class: what is tested is the certificate.
+/// A budget with few cases per class, since these tests are about the certificate.
 inline const Budget tiny{"tiny", 16, false};
 
 class CertificateTest : public testing::Test {
@@ -42,7 +42,7 @@ class CertificateTest : public testing::Test {
 
   std::string file(const char* name) const { return directory_ + "/" + name; }
 
-  /// The log with the records changed and the chain made again, as a forger would.
+  /// Changes the records of the log and computes its hash chain anew, as a forger would.
   void forge(const std::function<void(std::vector<Json>&)>& change) {
     std::vector<Json> records = read_log(file("log.jsonl")).records;
     change(records);
@@ -51,7 +51,7 @@ class CertificateTest : public testing::Test {
     write_certificate(directory_, log);
   }
 
-  /// One digit of the log at a time, in steps of so many bytes, is changed: each breaks the chain.
+  /// Changes one digit of the log at a time, `step` bytes apart, and expects that each change breaks the hash chain.
   void expect_edits_noticed(std::size_t step) {
     const std::string log = read_file(file("log.jsonl"));
     int edited = 0;

@@ -42,7 +42,7 @@ TEST_F(CertificateTest, RefutesDoubleAndSaysWhy) {
   EXPECT_NE(to_summary(wrong_in_set).find("  refuted  " + set + ": 896 wrong of 93888"), std::string::npos);
 }
 
-/// It refutes by itself, and leaves the sample and its bounds as they are without it.
+/// A failing case of the user's own refutes the method, and leaves the samples and their bounds unchanged.
 TEST_F(CertificateTest, ACaseOfTheUsersOwnRefutesToo) {
   Case own;
   own.id = "mine";
@@ -74,13 +74,13 @@ TEST_F(CertificateTest, ACaseOfTheUsersOwnRefutesToo) {
   EXPECT_EQ(verify(directory_).not_asked, "the method is not known here");
 }
 
-/// Every digit of every record's counts, changed alone, breaks the chain.
+/// Changing any single digit of the counts of any record breaks the hash chain.
 TEST_F(CertificateTest, ANumberEditedInTheLogIsNoticed) {
   write({.method = method("sf-float"), .budget = {"tiny", 1, false}, .threads = 2});
   expect_edits_noticed(997);
 }
 
-/// One's own cases are no sample: a log in which nothing else is left has a hole, unless it never had sets.
+/// A user's own cases are no sample: a certificate that rests on these alone is incomplete, unless it never had sets.
 TEST_F(CertificateTest, ADroppedSampleMakesAHole) {
   Case own;
   own.id = "mine";
@@ -116,7 +116,7 @@ TEST_F(CertificateTest, ANumberEditedInTheCertificateIsNoticed) {
   EXPECT_TRUE(verify(directory_).faults.empty());
 }
 
-/// Planted: a certificate that drops a failing stratum, chain and all made again. The cases no longer add up.
+/// Planted: a failing stratum is dropped and the hash chain computed anew. The counts of cases no longer add up.
 TEST_F(CertificateTest, ADroppedStratumMakesAHole) {
   write({.method = method("sf-rational"), .budget = {"tiny", 1, false}, .threads = 2});
   forge([](std::vector<Json>& records) {
@@ -207,7 +207,7 @@ TEST_F(CertificateTest, WhatTheBudgetOwesCannotBeDropped) {
   }
 }
 
-/// Counts that were made up add up, and are told only by running it again.
+/// Invented counts that add up are found only by running the certificate again.
 TEST_F(CertificateTest, ARerunTellsMadeUpCounts) {
   write({.method = method("sf-double"), .budget = {"tiny", 1, false}, .threads = 2});
   EXPECT_TRUE(verify(directory_, 2).faults.empty());
@@ -225,8 +225,8 @@ TEST_F(CertificateTest, ARerunTellsMadeUpCounts) {
   EXPECT_FALSE(verify(directory_, 2).faults.empty());
 }
 
-/// A test that takes rays for lines is refuted, by the sets that are run whole too; one without rays is told to have
-/// none.
+/// A test that takes rays for lines is refuted, also by the sets that are run whole; of a test without rays the
+/// certificate says that it takes none.
 TEST_F(CertificateTest, RaysAreOnTrial) {
   Method line = method("sf-rational");
   line.name = "ray as line";
@@ -253,7 +253,7 @@ TEST_F(CertificateTest, RaysAreOnTrial) {
   EXPECT_EQ(hole.verdict, Verdict::incomplete);
 }
 
-/// Planted: one that refuses a part of what is asked does so in the open.
+/// Planted: a method that refuses some cases. The certificate names what was refused.
 TEST_F(CertificateTest, WhatIsRefusedIsNamed) {
   Method shy = method("sf-rational");
   shy.name = "shy";

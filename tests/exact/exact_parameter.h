@@ -9,7 +9,8 @@
 
 namespace tribunal::testing {
 
-/// (a − o)·n / (d·n), where n = (b − a) × (c − a). d·n must not be zero.
+/// The exact parameter t = (a − o)·n / (d·n) at which a ray meets the plane of a triangle, where n = (b − a) × (c −
+/// a) and d·n ≠ 0.
 struct ExactParameter {
   ExactParameter(const Ray& r, const Triangle& t) {
     mpq_class n[3];
@@ -30,7 +31,7 @@ struct ExactParameter {
     return mpq_class(p[axis]) - mpq_class(q[axis]);
   }
 
-  /// Round to nearest, ties to even, gradual underflow, overflow to infinity.
+  /// The parameter rounded to nearest, ties to even, with gradual underflow and overflow to infinity.
   double rounded() const {
     mpfr_set_emin(-1073);
     mpfr_set_emax(1024);

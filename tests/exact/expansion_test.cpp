@@ -39,7 +39,7 @@ bool is_nonoverlapping(const Expansion<Terms>& e) {
   return true;
 }
 
-/// Random numbers 2^lo ≤ |x| < 2^hi, many of them powers of two give or take a bit.
+/// Draws numbers with 2^lo ≤ |x| < 2^hi, many of them powers of two or next to one.
 class Numbers {
  public:
   Numbers(std::uint64_t seed, int lo, int hi) : draw_(9, seed, 0), lo_(lo), hi_(hi) {}
@@ -103,7 +103,8 @@ TEST(Expansion, VolumesAreExactToTheEndsOfTheRange) {
   }
 }
 
-/// All in the least binade of the range, and not far from coplanar, so that only the least bits of products are left.
+/// Coordinates in the least binade of the range, of points that are nearly coplanar, so that only the lowest bits of
+/// products remain.
 TEST(Expansion, TheLeastBitsOfTheLeastNumbersCount) {
   int beyond_bound = 0;
   for (const ExpansionRange& range : {volume_range, order_range}) {
@@ -139,7 +140,7 @@ TEST(ExpansionRange, MovesOperandsByPowersOfTwoOrNotAtAll) {
   EXPECT_EQ(a.z / b.z, -4.0);
 }
 
-/// Two kernels asked the same of one case.
+/// The answers of two kernels to the same case.
 struct Comparison {
   ExpansionTally tally{};
   std::uint64_t signs = 0;

@@ -74,7 +74,7 @@ TEST(FamilyDraws, EveryFamilyAsksSegmentsAndRaysAtEveryLevel) {
   }
 }
 
-/// Of the largest coordinate.
+/// The binary exponent of the largest coordinate.
 int exponent_of(const Point3& p) { return std::ilogb(std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)})); }
 
 TEST(FamilyReach, DirectionsHaveEverySizeAndNone) {
@@ -98,7 +98,7 @@ TEST(FamilyReach, DirectionsHaveEverySizeAndNone) {
   }
 }
 
-/// As the format computes.
+/// The difference as it is rounded in this format.
 double difference_in(Format format, double x, double y) {
   if (format == Format::binary64) return x - y;
   return static_cast<double>(static_cast<float>(x) - static_cast<float>(y));
@@ -130,7 +130,7 @@ TEST(FamilyReach, DifferencesOverflowOnOneTwoAndThreeAxes) {
   }
 }
 
-/// Largest over least number on an axis, in binades.
+/// The quotient of the largest and the least number on an axis, in binades; the greatest of the three axes.
 int spread_of(Trial trial) {
   int spread = 0;
   const PairVectors q = vectors_of(trial.query);
@@ -203,7 +203,7 @@ TEST(FamilyReach, ProbesAreFarLongerAndShorterThanTheTriangleAndMeetIt) {
   }
 }
 
-/// t = source's volume over the direction's, by exponents.
+/// The binary exponent of t, from those of the volumes of the source and of the direction.
 int exponent_of_t(const Ray& r, const Triangle& t) {
   const double span = static_cast<double>(exponent_of(r.o - t.a)) - exponent_of(r.d.v);
   return static_cast<int>(span);

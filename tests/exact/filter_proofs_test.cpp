@@ -15,7 +15,8 @@ namespace tribunal {
 
 namespace {
 
-/// Proved, and left room for: the bound itself is rounded up to seven times.
+/// Expects that a filter's constant covers what is proved, with room for the up to seven roundings of the bound
+/// itself.
 void expect_covers(const FilterConstants<double>& filter, double proved, double units) {
   EXPECT_NEAR(proved / rounding, units, units * 2e-4);
   EXPECT_LT(proved * (1 + 8 * rounding), filter.k);
@@ -211,8 +212,8 @@ TEST(ToyFloats, TermsDecideMoreVolumesAndNoneWrong) {
 
 TEST(ToyFloats, AConstantTooSmallGivesWrongVolumesByTerms) { EXPECT_GT(volumes_by_terms(8).wrong, 0U); }
 
-/// A shipped test itself, on segments and triangles whose coordinates take two values an axis: all 2¹⁵ of them, for
-/// many pairs of values, against exact volumes. Returns certain answers that are wrong.
+/// Counts wrong certain answers of a shipped test on all 2¹⁵ pairs of a segment and a triangle with two values per
+/// axis, for many pairs of values, against exact volumes.
 template <int bits, class Filter>
 Outcome enumerate_hits(int rounds, const Filter& filter) {
   Outcome outcome;
@@ -277,8 +278,8 @@ PairConstants<SmallToy> small_toy_filter(int direction, int guarded_direction) {
   return c;
 }
 
-/// The shipped conclusion on rays, with scales of direction and geometry of their own: aimed at a point of the triangle
-/// or somewhere near it, with components that underflow one by one. Judged exactly.
+/// Tries the shipped conclusion on rays that are aimed at a point of the triangle or near it, with independent scales
+/// of direction and geometry, and components that underflow one by one. Judged exactly.
 Outcome conclude_on_rays(std::uint64_t cases, const PairConstants<SmallToy>& c) {
   Outcome outcome;
   for (std::uint64_t k = 0; k < cases; ++k) {

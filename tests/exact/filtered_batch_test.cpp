@@ -18,7 +18,7 @@ namespace tribunal {
 
 namespace {
 
-/// Owns columns.
+/// A table that owns its columns.
 struct Table {
   std::vector<double> x, y, z;
 
@@ -56,7 +56,8 @@ Point3 draw_any(Draw& draw) {
   return p;
 }
 
-/// All families, random points, and coordinates from the ends of the range; no multiple of any number of lanes.
+/// Cases of all families, random points, and coordinates from the ends of the range. Their number is no multiple of
+/// any number of lanes.
 const Corpus& corpus() {
   static const Corpus made = [] {
     Corpus c;
@@ -85,7 +86,7 @@ const Corpus& corpus() {
   return made;
 }
 
-/// One run a target that this machine has.
+/// The tests run once for each instruction set of this machine.
 class Batch : public testing::TestWithParam<std::string_view> {
  protected:
   void SetUp() override { force_batch_target(GetParam()); }

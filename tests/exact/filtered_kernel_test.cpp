@@ -23,13 +23,13 @@ namespace {
 
 const Method& filtered() { return *find_method("sf-filtered"); }
 
-/// The segment's line as a ray; the direction is rounded, so it is another query, not the same one.
+/// A ray from p towards q. Its direction is rounded, so it is another query than the segment.
 Ray ray_of(const Segment& s) {
   const Point3 d = s.q - s.p;
   return {s.p, {is_finite(d) ? d : 0.5 * s.q - 0.5 * s.p}};
 }
 
-/// The same segment, or of a ray the segment to the point whose coordinates are the direction's.
+/// The segment itself; for a ray, the segment from its origin to the point with the coordinates of its direction.
 Segment segment_of(const Probe& probe) {
   if (const auto* r = std::get_if<Ray>(&probe)) return {r->o, r->d.v};
   return std::get<Segment>(probe);
@@ -40,7 +40,7 @@ Ray ray_of(const Probe& probe) {
   return ray_of(std::get<Segment>(probe));
 }
 
-/// Answers without the stage, which the reference has not.
+/// The answer without its stage, which the reference does not report.
 Answer plain(Answer a) {
   a.stage = Stage::none;
   return a;
@@ -120,7 +120,7 @@ TEST(Filtered, AnswersAtEveryScale) {
   EXPECT_EQ(tally[Stage::exact], 0U) << "one power of two an axis is no reason for GMP";
 }
 
-/// Coordinates of any exponent next to each other: the grid is too coarse, and GMP must answer.
+/// Coordinates with any exponents in one query: the integer grid is too coarse for some, and GMP must answer.
 TEST(Filtered, ReachesEveryStageOnWildExponents) {
   Tally tally;
   constexpr int spans[] = {0, 4, 20, 60, 200, 1000};
@@ -254,7 +254,8 @@ TEST_P(ForeignEnvironment, ChangesNoAnswer) {
 INSTANTIATE_TEST_SUITE_P(Registers, ForeignEnvironment,
                          testing::Values(0x0000U, 0x2000U, 0x4000U, 0x6000U, 0x8000U, 0x0040U, 0x8040U, 0xe040U));
 
-/// Points next to the plane of a triangle of any size, near and far: what the plane's filter says is exact.
+/// For points next to the plane of a triangle of any size, near and far, the certain signs of the plane's filter are
+/// right.
 TEST(PlaneFilter, NeverSaysTheWrongSide) {
   const RationalKernel exact;
   std::size_t certain = 0, undecided = 0;

@@ -1,4 +1,4 @@
-// The filtered polygon test against the covering test on exact numbers, and which stage told.
+// The filtered polygon test against the covering test on exact numbers, and which stage decided.
 #include "exact/filtered/filtered_polygon.h"
 
 #include <gtest/gtest.h>
@@ -56,7 +56,7 @@ TEST(FilteredPolygon, AllRingsOfFiveOnTheGrid) {
   EXPECT_EQ(scope.different, 0U);
 }
 
-/// In general position the filter alone must tell.
+/// In general position the filter must answer by itself.
 TEST(FilteredPolygon, GeneralPositionIsTheFilters) {
   const PolygonData polygon = PolygonData{}.add(std::vector<Point3>{{0, 0, 1}, {9, 0, 2}, {9, 9, 5}, {0, 9, 4}});
   const FilteredPolygon filtered(polygon);
@@ -67,7 +67,6 @@ TEST(FilteredPolygon, GeneralPositionIsTheFilters) {
   EXPECT_EQ(filtered.filter_hits(Segment{{9, 0, 9}, {9, 0, -9}}), std::nullopt) << "at a vertex";
 }
 
-/// Nowhere.
 TEST(FilteredPolygon, NonfiniteProbesMeetNothing) {
   const PolygonData polygon = PolygonData{}.add(std::vector<Point3>{{0, 0, 1}, {9, 0, 2}, {9, 9, 5}, {0, 9, 4}});
   const FilteredPolygon filtered(polygon);
@@ -155,7 +154,8 @@ Point3 nearly(const Point3& p, double size, Draw& draw) {
   return p + Point3(x, y, z);
 }
 
-/// Short segments that cross the plane within rounding of it: what the projection tells of them is true.
+/// Short segments that cross the plane, with ends within some roundings of it: the certain answers of filter_between
+/// are right.
 TEST(FilteredPolygon, TellsOfShortSegmentsThroughThePlane) {
   const RationalKernel exact;
   std::size_t told = 0, crossing = 0;

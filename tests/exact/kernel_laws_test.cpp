@@ -227,7 +227,7 @@ TEST(Dyadic, RoundTripsAndComputesExactly) {
   }
 }
 
-/// Words overflow into GMP integers at these corners.
+/// At these values the machine word overflows and a GMP integer must take over.
 TEST(Dyadic, LeavesTheMachineWordInTime) {
   const double corners[] = {
       0x1p53 - 1, -0x1p53, 0x1p62, 0x1p63, 1, -1, 0, 0x1p-1074, std::numeric_limits<double>::max()};

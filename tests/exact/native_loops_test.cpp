@@ -11,7 +11,7 @@
 namespace tribunal {
 namespace {
 
-/// Coordinates that binary32 holds too, so that both formats are asked the same.
+/// Pairs with coordinates that are exact in binary32, so that both formats get the same pairs.
 std::vector<SegmentPair> pairs() {
   std::vector<SegmentPair> all = random_pairs(200, 50);
   const std::vector<SegmentPair> degenerate = degenerate_pairs(200, 4);

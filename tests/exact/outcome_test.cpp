@@ -25,7 +25,7 @@ const Query plain_hit{Segment{{2, 3, 1}, {3, 2, -1}}, floor_of_ten};
 const Query plain_miss{Segment{{20, 3, 1}, {30, 2, -1}}, floor_of_ten};
 const Query on_edge{Segment{{2, 0, 1}, {2, 0, -1}}, floor_of_ten};
 
-/// The reference on segments, but for what `change` makes of its answers.
+/// A method that gives `change` of the reference's answer to a segment.
 Method changed(const char* name, const std::function<Answer(Answer)>& change) {
   Method m = method("sf-rational");
   m.name = name;
@@ -82,7 +82,7 @@ TEST(Outcomes, EachWayOfBeingWrongIsCountedAsThatAndNothingElse) {
   }
 }
 
-/// Unless it tells the contact, a method owes none; and where it leaves it unsaid, nothing is held against it.
+/// A method owes the contact only if it claims to tell it; an answer without a contact is not a wrong contact.
 TEST(Outcomes, ContactsAreOwedByThoseWhoTellThem) {
   const Truth truth = exact_truth(on_edge);
   Method m = method("sf-double");
@@ -145,7 +145,7 @@ TEST(Severity, NaiveTestsAreNeverWrongInPlainPosition) {
   }
 }
 
-/// Every case of the control family would be plain were it wrong.
+/// If a method is wrong on a case of the control family `plain`, the severity is `plain`.
 TEST(Severity, TheFamilyPlainIsPlain) {
   const Family& family = *find_family("plain");
   for (const Format format : {Format::binary64, Format::binary32}) {

@@ -30,7 +30,7 @@ TEST(PlaneCrossing, GappaProvesTheBounds) {
   EXPECT_NEAR(side / rounding, 4 * 18 + 24, 1e-2);
 }
 
-/// What the script takes for known.
+/// Checks the facts that the Gappa script assumes.
 TEST(PlaneCrossing, TheScriptsHypothesesArePlaneFacts) {
   EXPECT_LT(normal_scale * proved_by("area.g").at("area - exact") * (1 + 2 * rounding), 2.2206e-16);
   EXPECT_LT(proved_by("plane_crossing.g").at("height - HEIGHT"), 1.277e-15);
@@ -139,7 +139,7 @@ struct Computed {
   }
 };
 
-/// Random integers; the edge passes by the crossing, near and far.
+/// Draws figures with random integers, with the edge near the crossing and far from it.
 class Figures {
  public:
   Figure<double> next() {
@@ -171,7 +171,7 @@ class Figures {
 
 double reach(const Vec3<Small>& v) { return std::max({std::abs(v.x.x), std::abs(v.y.x), std::abs(v.z.x)}); }
 
-/// As the polygon's preparation does.
+/// The scale of the normal, computed as in the preparation of a polygon.
 double scale_of(const Figure<Small>& v) {
   const Vec3<Small> b = v.b - v.o, c = v.c - v.o;
   const double x = std::max(std::abs(b.x.x), std::abs(c.x.x)), y = std::max(std::abs(b.y.x), std::abs(c.y.x)),

@@ -1,5 +1,5 @@
 // Tests of the tests: each planted bug must be found by fuzz well within a minute, from a seed that nobody chose for
-// it, and nobody else may be blamed. TRIBUNAL_PLANTED_SEED tries another seed.
+// it, and no other method may be blamed. TRIBUNAL_PLANTED_SEED tries another seed.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -20,7 +20,7 @@ std::uint64_t seed() {
   return given != nullptr ? std::strtoull(given, nullptr, 10) : 20240229;
 }
 
-/// The bug first, and beside it methods without one.
+/// A plan that tries the bug first, and methods without a bug beside it.
 FuzzPlan plan_for(const Method& bug, std::uint64_t cases, const std::vector<Method>& sound,
                   std::vector<Stream> streams) {
   FuzzPlan plan;
@@ -43,7 +43,7 @@ FuzzPlan polygon_plan_for(const Method& bug, std::uint64_t cases) {
 }
 
 struct Hunt {
-  std::uint64_t cases = 0;  ///< up to and with the first wrong answer; 0: none
+  std::uint64_t cases = 0;  ///< cases up to the first wrong answer, which is included; 0 if there was none
   double seconds = 0;
   std::set<std::string> blamed;
 };
@@ -58,7 +58,7 @@ Hunt result_of(const FuzzPlan& plan, const FuzzReport& report) {
   return hunt;
 }
 
-/// Ever longer runs of the plan until something is found or a minute is over; all of them count.
+/// Runs the plan with ever more cases until something is found or a minute is over; the time of all runs counts.
 template <class PlanFor>
 Hunt hunt_for(const Method& bug, const PlanFor& plan_of) {
   using Clock = std::chrono::steady_clock;
@@ -105,7 +105,7 @@ TEST(PlantedBugs, SoundTwinsAreRight) {
   for (const Finding& f : report.findings) ADD_FAILURE() << plan.methods[f.method].name;
 }
 
-/// It would spoil what comes after it, so the run stops and says who did it.
+/// A method that changes the floating-point environment would spoil later answers, so the run stops and names it.
 TEST(PlantedBugs, AChangedEnvironmentIsNoticedAndNamed) {
   const FuzzPlan plan = plan_for(planted::environment_bug(), 500);
   try {

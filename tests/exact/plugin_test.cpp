@@ -18,7 +18,7 @@ namespace {
 
 std::atomic<int> batch_calls{0};
 
-/// Depends on all that it is given, so that nothing can be dropped or swapped unseen.
+/// Its answer depends on every argument, so that no argument can be dropped or swapped unnoticed.
 int ask(int probe, const double x[15]) {
   double sum = probe == TRIBUNAL_RAY ? 1 : 2;
   for (int i = 0; i < 15; ++i) {
@@ -193,7 +193,7 @@ TEST(Plugin, VersionTwoSaysItsContractInTypes) {
   EXPECT_FALSE(plugin_method(plugin, "x.so").contract.probes.rays);
 }
 
-/// What version 1 did not have is not read: here it would be nonsense.
+/// Fields that version 1 did not have are not read: here they hold nonsense.
 TEST(Plugin, VersionOneIsReadAsItWas) {
   tribunal_plugin plugin = sound_plugin();
   plugin.abi = 1;

@@ -72,7 +72,8 @@ TEST_F(CertificateTest, OfPolygonsFindsAPlantedBug) {
   EXPECT_EQ(verify(directory_).not_asked, "the method is not known here");
 }
 
-/// Every digit counts: in the log, in what is made of it, and a stratum dropped with the chain made anew.
+/// Every changed digit is noticed, in the log and in the certificate, and so is a dropped stratum with the hash chain
+/// computed anew.
 TEST_F(CertificateTest, OfPolygonsIsHeldAgainstItsLog) {
   write_polygons("sf-epick", 6);
   expect_edits_noticed(14'983);

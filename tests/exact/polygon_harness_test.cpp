@@ -245,7 +245,7 @@ TEST(PolygonFuzz, CounterexamplesAreSmallAndReplay) {
   for (std::size_t m = 0; m < 3; ++m) EXPECT_GT(kept[m], 0) << plan.methods[m].name;
 }
 
-/// The method with its answers on polygons changed.
+/// The method, with `change` applied to its answers on polygons.
 template <class Change>
 Method planted(const Change& change) {
   Method m = reference_method();

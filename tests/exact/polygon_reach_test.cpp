@@ -18,7 +18,7 @@ namespace {
 constexpr std::uint64_t seed = 21;
 constexpr Format formats[] = {Format::binary64, Format::binary32};
 
-/// Visits n cases of the family; one at a time, since some are large.
+/// Visits n cases of the family, keeping one at a time, since some are large.
 template <class Visit>
 void visit_trials(const Family& family, Format format, std::uint64_t n, const Visit& visit) {
   for (std::uint64_t k = 0; k < n; ++k) visit(family.make(format, seed, k));
@@ -34,7 +34,7 @@ const Segment* segment_of(const Trial& trial) { return std::get_if<Segment>(&tri
 
 Answer answer_to(const Trial& trial) { return find_method("sf-epick")->ask(trial.query); }
 
-/// Vertices, then the ends of the probe; without the direction of a ray.
+/// The vertices, then the source and, for a segment, the target of the probe.
 std::vector<Point3> points_of(const Trial& trial) {
   std::vector<Point3> points = trial.query.polygon().vertices;
   if (const Segment* s = segment_of(trial)) points.insert(points.end(), {s->p, s->q});
@@ -62,7 +62,7 @@ TEST(PolygonDraws, NoFamilyRepeatsItself) {
   }
 }
 
-/// Within every thousand cases or so, and at every level.
+/// Checked within every thousand cases or so, and at every level.
 TEST(PolygonDraws, EveryFamilyAsksSegmentsAndRaysInEqualShareAtEveryLevel) {
   constexpr std::uint64_t pairs = shape_count * place_count;
   for (const Stream& s : streams_of(Operands::polygons)) {
@@ -97,7 +97,7 @@ TEST(PolygonDraws, EveryFamilyHasHitsAndMissesOfEitherProbe) {
   }
 }
 
-/// Of the largest coordinate.
+/// The binary exponent of the largest coordinate.
 int exponent_of(const Point3& p) { return std::ilogb(std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)})); }
 
 TEST(PolygonReach, DirectionsHaveEverySizeAndNone) {
@@ -119,7 +119,7 @@ TEST(PolygonReach, DirectionsHaveEverySizeAndNone) {
   }
 }
 
-/// As the format computes.
+/// The difference as it is rounded in this format.
 double difference_in(Format format, double x, double y) {
   if (format == Format::binary64) return x - y;
   return static_cast<double>(static_cast<float>(x) - static_cast<float>(y));
@@ -147,7 +147,7 @@ TEST(PolygonReach, DifferencesOverflowOnOneTwoAndThreeAxes) {
   }
 }
 
-/// Largest over least number on an axis, in binades.
+/// The quotient of the largest and the least number on an axis, in binades; the greatest of the three axes.
 int spread_of(const Trial& trial) {
   int spread = 0;
   const std::vector<Point3> points = points_of(trial);
@@ -206,7 +206,7 @@ TEST(PolygonReach, FullMantissasAtTheEndsAndSubnormalsBesideNormals) {
   }
 }
 
-/// The polygon's diameter, by coordinates.
+/// The binary exponent of the polygon's largest extent along an axis.
 int exponent_of_size(const PolygonData& polygon) {
   Point3 size(0);
   for (const Point3& v : polygon.vertices) {

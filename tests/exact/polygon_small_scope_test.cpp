@@ -14,7 +14,7 @@ using IntegerKernel = FormulaKernel<std::int64_t>;
 constexpr IntegerKernel k;
 constexpr RingScope few{.most_vertices = 4};
 
-/// The prepared form, which must also call every polygon of the scope planar.
+/// Asks the prepared form, and expects that it finds every polygon of the scope planar.
 constexpr auto prepared = [](const Polygon& polygon) {
   const Covering c = cover(polygon, k);
   EXPECT_TRUE(c.planar);
@@ -71,8 +71,8 @@ TEST(PolygonSmallScope, RingsFromTheCentre) {
 
 TEST(PolygonSmallScope, OnTheFly) { EXPECT_EQ(exhaust_rings(on_the_fly, {.most_vertices = 5}).different, 0U); }
 
-/// Figure 1 with another weight for the triangles passed; probes that meet the boundary or lie in the plane are
-/// answered rightly.
+/// The test of the paper's figure 1 with another weight for each triangle that is hit; probes that meet the boundary
+/// or lie in the plane get the right answer.
 template <class Weight>
 auto weighed(const Weight& weight) {
   return [weight](const Polygon& polygon) {

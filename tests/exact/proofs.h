@@ -19,7 +19,7 @@ namespace tribunal {
 
 using namespace detail;
 
-/// What Gappa proves: the upper end of each interval that a script asks for.
+/// Runs Gappa and returns what it proves: for each quantity of the script, the upper end of its interval.
 inline std::map<std::string, double> proved_by(const std::string& script) {
   const std::string command = "gappa exact/filtered/proofs/" + script + " 2>&1";
   const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);

@@ -23,7 +23,7 @@ FuzzPlan plan_of(const char* method, std::uint64_t cases, ClassBy quick) {
   return plan;
 }
 
-/// The class by this kernel, whatever it rounds.
+/// The class by this kernel, which may round.
 template <class K>
 ClassId class_by(const Query& query) {
   return std::visit([&](const auto& probe) { return class_of(probe, query.triangle(), K{}); }, query.probe);
@@ -58,7 +58,7 @@ TEST(ProductSum, TheLeastProductDecides) {
   EXPECT_EQ(nothing.sign(), Sign::zero);
 }
 
-/// The audit is no stride: cases of all classes, levels and kinds of probe come up, each as often as it should.
+/// The audit takes no regular stride: all classes, levels and kinds of probe come up, each as often as it should.
 TEST(Audit, LeavesNoResidueOut) {
   for (const std::uint64_t modulus : {2U, 3U, 16U, 163U, 328U}) {
     std::vector<std::uint64_t> audited(modulus);
@@ -70,7 +70,7 @@ TEST(Audit, LeavesNoResidueOut) {
   }
 }
 
-/// Of a method that culls too, which turns on more than the class.
+/// Tried with a method that culls too, for which the class alone does not decide.
 TEST(Audit, IsCountedAndChangesNoFigure) {
   for (const char* method : {"sf-double", "mt-cull-double"}) {
     const FuzzReport by_oracles = fuzz(plan_of(method, 30'000, nullptr));
@@ -92,13 +92,13 @@ TEST(Audit, IsCountedAndChangesNoFigure) {
   }
 }
 
-/// Wrong on contacts by an edge alone.
+/// A faulty class: wrong only where an edge is met.
 ClassId faulty_at_edges(const Query& query) {
   const ClassId id = certified_class(query);
   return id == 12 ? ClassId{13} : id;
 }
 
-/// Wrong where products leave the range of doubles, as a guard that is missing would be.
+/// A faulty class: wrong where products overflow or underflow, as it would be without its guard.
 ClassId faulty_at_extremes(const Query& query) { return class_by<FormulaKernel<double>>(query); }
 
 TEST(Audit, FindsAFaultInTheQuickTruth) {

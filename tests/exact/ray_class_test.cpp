@@ -82,7 +82,7 @@ TEST(RayClasses, AreCountedRightOnTheLargeLattice) {
   for (const ClassRow& row : ray_class_table()) EXPECT_EQ(counts[row.id], row.count_4) << class_name(row.id);
 }
 
-/// 1, −1 for an even, an odd permutation.
+/// 1 for an even permutation, −1 for an odd one.
 int parity(const std::array<int, 5>& p) {
   int sign = 1;
   for (std::size_t i = 0; i < 5; ++i) {
@@ -191,7 +191,8 @@ At at_of(const ClassRow& row) {
 
 class ExactMethodsOnRays : public testing::TestWithParam<const char*> {};
 
-/// hit, class, contact and at, for 165 classes × 6 orders × 48 axis maps, the direction at a scale of its own.
+/// Compares hit, class, contact and at with the table, for 165 classes × 6 orders × 48 axis maps, with directions at
+/// another scale than the triangle.
 TEST_P(ExactMethodsOnRays, AnswerEveryClassInEveryOrderAndFrame) {
   const Method& method = *find_method(GetParam());
   int asked = 0;

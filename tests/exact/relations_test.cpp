@@ -17,7 +17,7 @@ const FormulaKernel<std::int64_t> k;
 
 Point3 lattice_point(std::uint64_t i) { return Point3(i / 9 % 3, i / 3 % 3, i % 3); }
 
-/// Five points of {0,1,2}³, 27⁵ tuples in a scattered order.
+/// The n-th tuple of five points of {0,1,2}³; all 27⁵ come up, in a scattered order.
 std::array<Point3, 5> tuple(std::uint64_t n) {
   std::uint64_t code = n * 7'368'787 % 14'348'907;  // coprime to 3, so all tuples come up
   std::array<Point3, 5> v;
@@ -28,7 +28,8 @@ std::array<Point3, 5> tuple(std::uint64_t n) {
   return v;
 }
 
-/// A point or a plane, never both, never neither; and the point is of the contact that the signs say.
+/// Expects evidence of one kind only: a common point for a hit, of the contact that the signs say, or a separating
+/// plane for a miss.
 template <class P>
 void expect_evidence(const P& probe, const Triangle& t, bool meets) {
   const auto x = common_point({probe, t});

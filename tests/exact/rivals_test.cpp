@@ -28,7 +28,7 @@ const std::map<std::string, std::string> faults_of_logic = {
 
 std::string shelf_name(const Method& m) { return m.name.substr(0, m.name.rfind('-')); }
 
-/// All that have an exact twin but those of five signs, whose twin is the reference.
+/// All methods with an exact twin, but for Segura–Feito in floating point, whose twin is the reference.
 std::vector<Method> rivals() {
   std::vector<Method> all;
   for (const Method& m : all_methods()) {
@@ -37,7 +37,7 @@ std::vector<Method> rivals() {
   return all;
 }
 
-/// The twins, as methods: one a pair of float and double.
+/// The exact twins as methods, one for each pair of float and double.
 std::vector<Method> twins() {
   std::vector<Method> all;
   for (Method m : rivals()) {
@@ -64,8 +64,8 @@ struct Plain {
   Triangle triangle;
   Segment segment;
   Ray ray;
-  double t;     ///< of the ray, where it meets the plane
-  double b, c;  ///< weights of the point there
+  double t;     ///< the parameter at which the ray meets the plane
+  double b, c;  ///< the weights of that point
 };
 
 double unit(Draw& draw) { return static_cast<double>(draw.between(-1000, 1000)) / 1000; }
@@ -87,7 +87,7 @@ double height_over(const Point3& ab, const Point3& ac, const Point3& d) {
   return std::fabs(determinant(d, ab, ac)) / (length(ab) * length(ac) * length(d));
 }
 
-/// Nothing where the draw is flat or grazing.
+/// Draws a plain case; none if the triangle is flat or the probe grazes it.
 std::optional<Plain> plain_case(std::uint64_t k) {
   Draw draw(9001, 7, k);
   const Triangle t{drawn(draw, 4), drawn(draw, 4), drawn(draw, 4)};
@@ -318,7 +318,7 @@ Triangle in_order(const Triangle& t, std::uint64_t order) {
   return order < 3 ? turned : Triangle{turned.a, turned.c, turned.b};
 }
 
-/// The faces around an edge, crossed on it: exactly one is hit. In exact arithmetic, whatever the cases.
+/// Of the faces around an edge or a vertex, a probe through it hits exactly one, in exact arithmetic.
 TEST(Rivals, HalfOpenFacesShareTheirEdgesAndVertices) {
   std::uint64_t on_boundary = 0;
   for (const Method& m : twins()) {

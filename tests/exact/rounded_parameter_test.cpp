@@ -24,10 +24,10 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::uint64_t bits(double x) { return std::bit_cast<std::uint64_t>(x); }
 
-/// +0 and −0 are one number.
+/// Whether two numbers have the same bits; +0 and −0 count as equal.
 bool are_equal(double x, double y) { return bits(x) == bits(y) || ((bits(x) | bits(y)) << 1) == 0; }
 
-/// What a population led to.
+/// Counts of what was seen in a population of cases.
 struct Seen {
   std::uint64_t pairs = 0, wrong = 0, by_filter = 0, subnormal = 0, infinite = 0, zero = 0;
 

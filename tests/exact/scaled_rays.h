@@ -22,8 +22,8 @@ namespace tribunal::testing {
 struct ScaledScene {
   std::vector<Triangle> triangles;
   std::vector<Ray> rays;
-  std::vector<std::uint8_t> hit;                      ///< of ray r and triangle t at r·triangles.size() + t
-  std::vector<std::optional<std::uint32_t>> closest;  ///< of each ray: least t, then least id; none in its own plane
+  std::vector<std::uint8_t> hit;                      ///< ray r hits triangle t: element r·triangles.size() + t
+  std::vector<std::optional<std::uint32_t>> closest;  ///< for each ray: least t, then least id, none in its plane
 
   bool hits(std::size_t ray, std::size_t triangle) const { return hit[ray * triangles.size() + triangle] != 0; }
 };
@@ -39,7 +39,8 @@ constexpr ExponentRange exponents_of(Format format) {
   return format == Format::binary32 ? ExponentRange{-149, 107} : ExponentRange{-1074, 1003};
 }
 
-/// Half of all scenes are of ordinary size, some of these stretched; the others are anywhere.
+/// Draws the scales of the axes: in half of all scenes of ordinary size, some of them stretched; in the others
+/// anywhere in the range of the format.
 inline Point3 draw_scale(Draw& draw, Format format) {
   const auto [least, most] = exponents_of(format);
   const bool ordinary = draw.below(2) == 0, stretched = draw.below(2) == 0;
@@ -66,7 +67,8 @@ inline Point3 draw_point(Draw& draw, int bits) {
   return p;
 }
 
-/// Towards a point of the triangle, often one of its edges or corners; or past it; or anywhere; or nowhere.
+/// Draws a direction towards a point of the triangle, often on an edge or at a vertex; or past the triangle; or in
+/// any direction; or zero.
 inline Direction draw_direction(Draw& draw, int bits, const Point3& o, const Triangle& t) {
   const std::uint64_t kind = draw.below(16);
   if (kind == 0) return {Point3(0)};
@@ -109,7 +111,7 @@ inline std::optional<std::uint32_t> closest(const ScaledScene& scene, std::size_
 
 }  // namespace scaled_detail
 
-/// Scene k of the format.
+/// Draws scene k of this format.
 inline ScaledScene scaled_scene(Format format, std::uint64_t k, std::size_t rays = 24, std::size_t triangles = 6) {
   using namespace scaled_detail;
   Draw draw(979, format == Format::binary32 ? 1 : 2, k);

@@ -33,7 +33,7 @@ struct Columns {
   PointColumns view() const { return {x, y, z}; }
 };
 
-/// A scene as batches want it: every ray with every triangle.
+/// The columns for a batch: every ray of a scene with every triangle.
 struct Pairs {
   Columns o, d, a, b, c;
   std::vector<TrianglePair> queries;

@@ -13,8 +13,8 @@ namespace {
 
 Method method(const char* name) { return *find_method(name); }
 
-/// Wrong wherever the probe's source has an odd number of significant bits on the first axis, whatever the class: a bug
-/// that no rule can see the reason of.
+/// A method that is wrong if the x of the probe's source has an odd number of significant bits: a bug that no rule of
+/// the shrinker is made for.
 Method capricious() {
   Method m = method("sf-filtered");
   m.name = "capricious";
@@ -30,7 +30,7 @@ Method capricious() {
   return m;
 }
 
-/// Forgets that the direction of a ray has a length: asks about the segment to o + d.
+/// A method that takes the ray o + t·d for the segment from o to o + d.
 Method rays_are_segments() {
   Method m = method("sf-rational");
   m.name = "rays-are-segments";

@@ -11,7 +11,7 @@ Mesh tetrahedron() {
   return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
 }
 
-/// Each triangle with vertices of its own.
+/// The mesh with separate vertices for each triangle.
 Mesh loosened(const Mesh& mesh) {
   Mesh loose;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {

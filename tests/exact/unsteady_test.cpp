@@ -11,7 +11,7 @@
 namespace tribunal {
 namespace {
 
-/// The reference, with an answer turned over whenever `turn` says so of the query.
+/// The reference, with hit and miss exchanged if `turn` says so for the query.
 template <class Turn>
 Method unsteady(const Turn& turn) {
   Method m = reference_method();
@@ -26,7 +26,7 @@ Method unsteady(const Turn& turn) {
 
 FuzzReport report_of(const FuzzPlan& plan) { return fuzz(plan); }
 
-/// Every counterexample of a short run; at least `fewest` of them must be faults.
+/// Expects that all counterexamples of a short run are faults, at least `fewest` of them.
 void expect_faults(const Method& m, int fewest) {
   const FuzzPlan plan{
       .methods = {m}, .streams = streams_of(Operands::triangles), .seed = 3, .cases = 3000, .threads = 2};

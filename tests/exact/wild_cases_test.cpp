@@ -98,7 +98,7 @@ TEST(WildCases, EveryTriangleHasItsContactByEveryExactMethod) {
   EXPECT_EQ(refused, 30) << "29 rays to cgal-epick, one degenerate triangle to cgal-epeck";
 }
 
-/// Faces hit, by every Segura–Feito method that is exact; they must agree.
+/// The faces that are hit, on which all exact Segura–Feito methods must agree.
 std::vector<std::size_t> faces_hit(const Probe& p, const std::vector<Triangle>& faces) {
   std::vector<std::size_t> hit;
   for (std::size_t i = 0; i < faces.size(); ++i) {

@@ -80,7 +80,7 @@ Point3 axis_image(const Point3& p, int order, int negatives) {
   return r;
 }
 
-/// By hand: the frame, its mirror images, and what a direction means.
+/// Signs worked out by hand: of a unit frame, of its mirror images, and with directions.
 void signs_by_hand() {
   const Point3 o(0, 0, 0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
   require(k.orient3d(o, x, y, z) == Sign::positive, "orient3d of the frame");
@@ -105,7 +105,7 @@ void signs_by_hand() {
   require(lift<std::int64_t>(p).y == 2 && value(detail::lexicographic(o, p, k)) == 1, "lift");
 }
 
-/// By hand: one chirotope of each rank.
+/// One chirotope of each rank, worked out by hand.
 void chirotopes_by_hand() {
   const Point3 o(0, 0, 0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
   require(chirotope(Segment{z, o}, Triangle{o, x, y}, k) == Chirotope{4, 201}, "rank 4: + 0 0 0 -");
@@ -237,7 +237,7 @@ void five_point_line() {
   }
 }
 
-/// Rays by two formulations.
+/// Answers to rays by two formulations, which must agree.
 void rays() {
   for (int i = 0; i < 19683; ++i) {
     const Triangle t{lattice_point(i / 729), lattice_point(i / 27 % 27), lattice_point(i % 27)};

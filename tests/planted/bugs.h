@@ -11,17 +11,17 @@ namespace tribunal::planted {
 /// All bugs, "planted-…"; `summary` says what is wrong.
 std::vector<Method> bugs();
 
-/// The same code without the bug, "sound-…": never to be blamed.
+/// The same code without the bugs, "sound-…"; the harness must never blame these.
 std::vector<Method> sound_twins();
 
-/// The same for polygons: methods that take nothing else.
+/// The bugs of polygon tests: methods that take polygons alone.
 std::vector<Method> polygon_bugs();
 std::vector<Method> sound_polygons();
 
-/// Not found by wrong answers: it leaves its worker flushing subnormals to zero, and the harness must notice.
+/// A method with right answers that leaves its thread flushing subnormals to zero, which the harness must notice.
 Method environment_bug();
 
-/// The rows of the table by file.
+/// The planted bugs of each file.
 std::vector<Method> sign_bugs();
 std::vector<Method> coplanar_bugs();
 std::vector<Method> operand_bugs();
@@ -44,10 +44,10 @@ using RayDecision = std::function<Answer(const Ray&, const Triangle&)>;
 /// A method that claims to be exact on segments, and takes no rays unless it is given a decision about them.
 Method method(const char* name, const char* what, Decision decide, RayDecision decide_ray = {});
 
-/// A method that claims to be exact, and is on segments.
+/// A method that claims to be exact and is right on segments; `decide` answers rays.
 Method ray_method(const char* name, const char* what, RayDecision decide);
 
-/// Segura–Feito on EPICK, where a bug does not matter.
+/// The right answer, by Segura–Feito on EPICK.
 Answer right(const Segment& s, const Triangle& t);
 Answer right_of_ray(const Ray& r, const Triangle& t);
 

@@ -26,7 +26,7 @@ bool exact_arm(const Point3& o, const Point3& x, double (&arm)[3]) {
   return true;
 }
 
-/// By expansions where the differences are exact, else EPICK.
+/// A kernel that uses expansions where the differences are exact, and EPICK elsewhere.
 struct ExpansionKernel : EpickKernel {
   SignOfDeterminant sign;
 
@@ -51,7 +51,7 @@ Method by_expansions(const char* name, const char* what, SignOfDeterminant sign)
 
 }  // namespace
 
-/// None where the processor has no fused operation, or the compiler does no harm with it.
+/// The bug, or none if the processor has no fused operation or contraction changes no result.
 std::vector<Method> contraction_bugs() {
 #if defined(TRIBUNAL_CONTRACTS)
   if (__builtin_cpu_supports("fma")) {

@@ -34,14 +34,14 @@ Answer by_edges_only(const Segment& s, const Triangle& t) {
   return miss();
 }
 
-/// `<` for `≤` in every test of the plane: to touch in one point is not enough.
+/// `<` in place of `≤` in every test in the plane, so that touching in one point does not count.
 Answer touching_excluded(const Segment& s, const Triangle& t) {
   const Answer answer = right(s, t);
   if (answer.contact != Contact::coplanar) return answer;
   return class_row(class_of(chirotope(s, t, exact))).intersection == "point" ? miss() : answer;
 }
 
-/// The first two vertices decide alone whether a triangle has area.
+/// Misses every triangle of which the first two vertices are equal, as one without area.
 Answer two_equal_vertices_miss(const Segment& s, const Triangle& t) { return t.a == t.b ? miss() : right(s, t); }
 
 struct ProjectsToXy : EpickKernel {

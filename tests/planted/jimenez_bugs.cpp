@@ -15,7 +15,7 @@ Vector cross(const Vector& u, const Vector& v) {
   return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
 }
 
-/// Neither t nor u is on the far side, nor does their sum exceed `whole`. `up` mirrors all of it.
+/// Whether t and u are not negative and t + u ≤ `whole`; if `up` is negative, all signs are reversed.
 bool inside(const Dyadic& t, const Dyadic& u, const Dyadic& whole, Sign up) {
   return sign_of(t) * up != Sign::negative && sign_of(u) * up != Sign::negative &&
          sign_of(whole - t - u) * up != Sign::negative;

@@ -13,7 +13,7 @@ using namespace detail;
 
 const EpickKernel k;
 
-/// The right answer by a covering that was spoilt.
+/// The answer by a covering that `Spoil` has changed.
 template <class Spoil>
 Answer by_covering(const Probe& probe, const Polygon& polygon, const Spoil& spoil) {
   Covering c = cover(polygon, k);
@@ -38,7 +38,8 @@ Answer one_plane_for_all(const Probe& probe, const Polygon& polygon) {
   return by_covering(probe, polygon, [](Covering& c) { c.plane = spanned_plane(c.polygon, k); });
 }
 
-/// The signed count of a planar polygon with another weight for what is passed; boundary and plane answered rightly.
+/// The signed count of a planar polygon with other weights for the triangles that are hit; the answer is right on the
+/// boundary and in the plane.
 template <class Weight>
 Answer weighed(const Probe& probe, const Polygon& polygon, const Weight& weight, bool as_line = false) {
   Answer answer = right(probe, polygon);
@@ -101,7 +102,7 @@ Answer in_plane_missed(const Probe& probe, const Polygon& polygon) {
   return answer;
 }
 
-/// In the plane ring edges are asked for, and not whether all of the probe is inside.
+/// In the plane, tests whether a ring edge is met, but not whether the whole probe is inside.
 Answer inside_in_plane_missed(const Probe& probe, const Polygon& polygon) {
   Answer answer = right(probe, polygon);
   if (answer.contact != Contact::coplanar) return answer;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double least_normal = std::numeric_limits<double>::min();
 
-/// Only the hit comes from the kernel on trial.
+/// The right answer, but with the hit decided by the kernel K.
 template <class K>
 Answer by_kernel(const Probe& probe, const Polygon& polygon) {
   Answer answer = right(probe, polygon);
@@ -19,7 +19,7 @@ Answer by_kernel(const Probe& probe, const Polygon& polygon) {
   return answer;
 }
 
-/// A query to be changed: its points, without the direction of a ray.
+/// The points of a query, which a bug may change; the direction of a ray is not among them.
 struct Changed {
   Probe probe;
   PolygonData polygon{};
@@ -73,13 +73,13 @@ Answer truncated_at_extremes(const Probe& probe, const Polygon& polygon) {
   return about(query.polygon, query.probe, polygon);
 }
 
-/// By coordinates; differences of halves do not overflow.
+/// Half of the largest coordinate difference; differences of halves do not overflow.
 double half_size_of(const Point3& p, const Point3& q) {
   const Point3 d = p / 2.0 - q / 2.0;
   return std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
 }
 
-/// Segments more than 2^binades times as long as the polygon is wide find nothing.
+/// Misses wherever the segment is more than 2^binades times as long as the polygon is wide.
 template <int binades>
 Answer long_probes_lost(const Probe& probe, const Polygon& polygon) {
   Answer answer = right(probe, polygon);

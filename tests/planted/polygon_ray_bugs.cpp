@@ -7,7 +7,7 @@
 namespace tribunal::planted {
 namespace {
 
-/// The decision about rays; of segments the right answer.
+/// Answers rays by `decide` and segments rightly.
 template <Answer (*decide)(const Ray&, const Polygon&)>
 Answer of_ray(const Probe& probe, const Polygon& polygon) {
   const auto* r = std::get_if<Ray>(&probe);
@@ -29,7 +29,7 @@ Answer as_segment(const Ray& r, const Polygon& polygon) {
   return is_finite(end) ? right(Segment{r.o, end}, polygon) : right(r, polygon);
 }
 
-/// The direction that a program has left which keeps a ray by two points.
+/// Recomputes the direction from o and the rounded o + d, as a program does that stores a ray by two points.
 Answer through_a_rounded_point(const Ray& r, const Polygon& polygon) {
   const Point3 d = (r.o + r.d.v) - r.o;
   return is_finite(d) ? right(Ray{r.o, {d}}, polygon) : right(r, polygon);

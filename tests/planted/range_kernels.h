@@ -22,7 +22,7 @@ bool is_exact_difference(double x, double y) {
   return guarded ? error == 0 : !(error > 0 || error < 0);
 }
 
-/// Determinants of differences that doubles hold are taken exactly, all others are EPICK's.
+/// Computes determinants exactly where all differences are exact in double, and by EPICK elsewhere.
 template <bool guarded>
 struct ExactDifferences : EpickKernel {
   using EpickKernel::orient3d;
@@ -38,7 +38,7 @@ struct ExactDifferences : EpickKernel {
   }
 };
 
-/// m·2^e with no more than `window` bits in m: what lies below is dropped.
+/// A number m·2^e that keeps the leading `window` bits of m and drops the others.
 template <long window>
 class Windowed {
  public:

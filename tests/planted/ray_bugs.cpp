@@ -21,7 +21,7 @@ Answer as_segment(const Ray& r, const Triangle& t) {
   return is_finite(end) ? right(Segment{r.o, end}, t) : right_of_ray(r, t);
 }
 
-/// The direction that a program has left which keeps a ray by two points.
+/// Recomputes the direction from o and the rounded o + d, as a program does that stores a ray by two points.
 Answer through_a_rounded_point(const Ray& r, const Triangle& t) {
   const Point3 d = (r.o + r.d.v) - r.o;
   return is_finite(d) ? right_of_ray(Ray{r.o, {d}}, t) : right_of_ray(r, t);

@@ -22,7 +22,7 @@ FiveSigns signs_of(const Segment& s, const Triangle& t) {
            value(exact.orient3d(s.p, t.c, t.a, s.q))}};
 }
 
-/// Right for operands not in one plane, if nothing is spoilt.
+/// The unspoilt decision for operands that do not lie in one plane.
 bool crosses(const FiveSigns& v) {
   const int side = v.source != 0 ? v.source : -v.target;
   for (const int e : v.edge) {
@@ -91,7 +91,7 @@ Answer tie_per_edge(const Segment& s, const Triangle& t) {
   });
 }
 
-/// From source to target, in halves where the whole would overflow.
+/// The vector from source to target, or half of it where it would overflow.
 Point3 along(const Segment& s) {
   const Point3 d = s.q - s.p;
   return is_finite(d) ? d : s.q * 0.5 - s.p * 0.5;

@@ -1,5 +1,5 @@
-// Plugins that do something else than answer, on one case in about forty, for triangles and for polygons: compile with
-// -DFAULT=name. On all others they say what BASE says: that they do not take it, so that whatever is wrong is a fault.
+// Plugins that do something other than answer on about one case in forty, for triangles and for polygons: compile with
+// -DFAULT=name. To all other cases they answer BASE, by default unsupported, so that everything wrong is a fault.
 #include <unistd.h>
 
 #include <cfenv>
@@ -25,7 +25,7 @@ unsigned mark_of(const double* x, int n) {
   return static_cast<unsigned>(mixed >> 33);
 }
 
-/// What is done in place of answering `answer`.
+/// Commits the fault that FAULT names, in place of returning `answer`.
 namespace fault {
 [[maybe_unused]] int none(int answer) { return answer; }
 [[maybe_unused]] int crash(int) {
@@ -80,7 +80,7 @@ extern "C" int ask(int probe, const double query[15]) {
   for (std::size_t i = 0; i < n; ++i) answers[i] = ask(probe, queries + 15 * i);
 }
 
-/// Crashes for what no single query does.
+/// Crashes in batches of more than three queries, but on no single query.
 [[maybe_unused]] void crashes_in_company(int probe, std::size_t n, const double* queries, int* answers) {
   if (n > 3) std::abort();
   ask_batch(probe, n, queries, answers);

@@ -1,4 +1,4 @@
-// Trees over boxes alone, and what a walk through them offers.
+// Trees over boxes alone, and the candidates of a walk through them.
 #pragma once
 
 #include <set>

@@ -13,7 +13,7 @@ namespace {
 
 using testing::Random;
 
-/// Exact interval of parameters in the box; empty if first > last.
+/// The exact interval of parameters at which a probe is in the box; empty if first > last.
 struct ExactSpan {
   mpq_class first = 0, last;
   bool bounded = false, empty = false;
@@ -132,7 +132,8 @@ TEST(BoxProbe, NeverLosesANastySegmentThatMeetsTheBox) {
   EXPECT_LT(kept, 100000) << "the test keeps almost everything";
 }
 
-/// The textbook test: multiply by 1/d. In a face of the box 0·∞ is a NaN, which compares false and loses the ray.
+/// The textbook slab test, which multiplies by 1/d. For a ray in a face of the box, 0·∞ is a NaN, which compares
+/// false, and the ray is lost.
 bool textbook_slabs_meet(const Ray& r, const Box& b) {
   double first = 0, last = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 3; ++i) {

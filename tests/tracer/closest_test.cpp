@@ -1,4 +1,4 @@
-// Closest hits by the tree of eight boxes a node are those of exact arithmetic, on every target.
+// Closest hits by the tree are those of exact arithmetic, on every instruction set.
 #include <cmath>
 
 #include "tests/tracer/tree_support.h"

@@ -112,7 +112,7 @@ TEST(Page, NamesTheSignThatDoublePrecisionGetsWrong) {
   EXPECT_TRUE(holds(signs_table(c), "answer bad")) << signs_table(c);
 }
 
-/// What being right costs is told of the method to use, not of another exact one that the chart has too.
+/// The page states the cost of being exact for the flagship, not for another exact method of the chart.
 TEST(Page, TellsTheCostOfTheFlagship) {
   Json chart = {{"rows", Json::array()}};
   for (const char* population : {"general", "degenerate"}) {

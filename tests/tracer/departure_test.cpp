@@ -1,4 +1,4 @@
-// Starts of secondary rays: what is proved of them, asked of the reference method by brute force.
+// Starts of secondary rays: what is proved of them, checked by brute force with the reference method.
 #include "tracer/shading/departure.h"
 
 #include <cmath>
@@ -39,7 +39,7 @@ struct Starts {
   RayTally tally{};
 };
 
-/// One ray's starts on both sides, held against their definition.
+/// Checks the starts on both sides of a ray's hit against their definition.
 void check(const World& world, const Ray& ray, Visibility& eye, Departures& departures, Starts& starts) {
   const auto id = eye.first_hit(ray);
   if (!id) return;
@@ -65,7 +65,8 @@ void check(const World& world, const Ray& ray, Visibility& eye, Departures& depa
   EXPECT_EQ(met(world, {near, far}), std::vector<std::uint32_t>{*id});
 }
 
-/// Rays aimed at vertices, at edges and at points of faces, at offsets where a constant step is lost.
+/// Rays aimed at vertices, at edges and at points of faces, with scenes so far from the origin that a constant step
+/// is lost to rounding.
 TEST(Departures, AreProvedAtVerticesEdgesAndFaces) {
   for (const double offset : {0.0, 0x1p20, 0x1p40, 0x1p50}) {
     Scene scene = read_scene("data/scenes/paper-2a.json");

@@ -79,7 +79,7 @@ SubjectReport report_of(const Surface& surface, const Method& method, LeakPlan p
 
 std::uint64_t count(const SubjectReport& report, Outcome o) { return report.tally.all()[o]; }
 
-/// Closed, transversal, exact.
+/// A sound method: exact, with closed boundaries and the transversal convention.
 Method sound() {
   Method m;
   m.name = "sound";
@@ -92,7 +92,7 @@ Method sound() {
   return m;
 }
 
-/// Gives each edge to one face, exactly.
+/// An exact method that gives each edge to exactly one face.
 Method half_open() {
   Method m = sound();
   m.name = "half-open";
@@ -103,7 +103,7 @@ Method half_open() {
   return m;
 }
 
-/// Asks about a triangle that is larger by 2⁻²⁰.
+/// A faulty method: it tests a triangle that is larger by 2⁻²⁰.
 Method grown() {
   Method m = sound();
   m.ray = [](const Ray& r, const Triangle& t) {
@@ -115,7 +115,7 @@ Method grown() {
   return m;
 }
 
-/// Has an ε in its edges: the weights of a hit must exceed it.
+/// A faulty method: it demands that the weights of a hit exceed an ε.
 Method shrunk() {
   Method m = sound();
   m.ray = [weights_of = find_method("mt-double")->hit](const Ray& r, const Triangle& t) {
@@ -188,7 +188,8 @@ TEST(MeshTrial, RaysGoExactlyThroughEveryVertexAndEdgeFromBothSides) {
   EXPECT_EQ(met[true].size(), 6u + 12u);
 }
 
-/// No face that is met is missing, and the source is inside or outside whatever ray tells it.
+/// No face that a ray meets is missing from its candidates, and whether a source is inside does not depend on the
+/// ray.
 TEST(MeshTrial, CandidatesAndSidesAreThoseOfEveryFace) {
   for (const NamedMesh& mesh : closed_meshes) {
     const Surface surface(mesh.make(), Format::binary64, mesh.name);

@@ -1,4 +1,4 @@
-// The nastiest scenes we know, and rays at their weak points.
+// The most difficult scenes that we know, and rays at their vertices, edges and face planes.
 #pragma once
 
 #include <cmath>
@@ -63,7 +63,8 @@ inline Scene nasty_scene(std::uint64_t seed) {
   return scene;
 }
 
-/// Aimed at vertices, edge midpoints and points of faces; along axes, from corners, in face planes.
+/// A ray at a vertex, at the midpoint of an edge or at a point of a face; along an axis, from a corner, or in the
+/// plane of a face.
 inline Ray aimed(Random& random, const BoxedFaces& triangles) {
   const Triangle t = triangles[static_cast<std::uint32_t>(random.below(triangles.size()))];
   const Triangle u = triangles[static_cast<std::uint32_t>(random.below(triangles.size()))];

@@ -1,4 +1,4 @@
-// Questions asked eight at a time against the same asked one by one of every face.
+// Queries answered in packets of eight, compared with the same queries answered one by one on every face.
 #include <functional>
 
 #include "exact/cases/family_table.h"
@@ -25,7 +25,8 @@ INSTANTIATE_TEST_SUITE_P(Targets, Packets, ::testing::ValuesIn(batch_targets()),
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Aimed at weak points; now and then along nothing, from nowhere, or farther than binary32 reaches.
+/// A ray at a weak point of the scene; now and then one with direction zero, with a NaN, or out of the range of
+/// binary32.
 Ray any_ray(Random& random, const BoxedFaces& faces) {
   Ray ray = aimed(random, faces);
   switch (random.below(16)) {
@@ -44,7 +45,7 @@ Ray any_ray(Random& random, const BoxedFaces& faces) {
   }
 }
 
-/// Spans of all lengths, so that the last packet is not always full.
+/// Calls with spans of all lengths, so that the last packet is not always full.
 template <class Question>
 void in_spans(Random& random, std::vector<Question>& questions, const std::function<void(std::span<Question>)>& ask) {
   for (std::size_t from = 0; from < questions.size();) {
@@ -90,7 +91,7 @@ TEST_P(Packets, SeePolygonsAsBruteForceDoes) {
   }
 }
 
-/// What the lanes alone tell.
+/// The answer of the vector lanes alone.
 PacketAnswer first_hits(const World& world, const std::vector<PolygonFigures>& figures, const std::vector<Ray>& rays,
                         std::size_t from) {
   ProbePacket packet;
@@ -102,7 +103,8 @@ PacketAnswer first_hits(const World& world, const std::vector<PolygonFigures>& f
   return answer;
 }
 
-/// In general position the lanes must tell all by themselves, from near and from far, where it takes the second filter.
+/// In general position the lanes must answer all by themselves, from near and from far; from far that takes the
+/// filter by terms.
 TEST_P(Packets, GeneralPositionIsTheLanes) {
   for (const double distance : {4.0, 4096.0}) {
     const Scene scene = read_scene("data/scenes/elephant.json");
@@ -129,7 +131,7 @@ TEST_P(Packets, GeneralPositionIsTheLanes) {
   }
 }
 
-/// Two faces at the same place, or so close that doubles cannot order them: nothing is told.
+/// Two faces at the same place, or so close that bounds in double cannot order them: no lane may be known.
 TEST_P(Packets, DoNotOrderWhatIsTooClose) {
   Scene scene;
   Solid s;
@@ -146,7 +148,7 @@ TEST_P(Packets, DoNotOrderWhatIsTooClose) {
   for (const RayQuestion& q : questions) EXPECT_EQ(q.face, 1u);
 }
 
-/// A ring of so many vertices about the z axis in a tilted plane, radii between 3 and 4, with a hole.
+/// A ring around the z axis in a tilted plane, with radii between 3 and 4, and with a hole.
 PolygonData gear(Random& random, std::size_t teeth) {
   std::vector<Point3> outside, hole;
   const Point3 u(1, 0.25, 0.5), v(-0.25, 1, -0.125);
@@ -162,7 +164,7 @@ PolygonData gear(Random& random, std::size_t teeth) {
   return PolygonData{}.add(outside).add(hole);
 }
 
-/// Polygons of more than one run of 64 vertices, and with holes, in general position: the lanes must tell, and rightly.
+/// Polygons with holes and more than 64 vertices, in general position: the lanes must answer all, and rightly.
 TEST_P(Packets, JudgePolygonsOfManyVertices) {
   const Method& exact = method("sf-rational");
   Random random(47);
@@ -197,8 +199,8 @@ TEST_P(Packets, JudgePolygonsOfManyVertices) {
   EXPECT_GT(hit, asked / 20);
 }
 
-/// Two planes that cross just where the ray meets them, or a few roundings beside: what the lanes say of their order is
-/// true. From afar the second filter's bounds are needed.
+/// Two planes that cross where the ray meets them, or a few roundings beside: if the lanes order the hits, the order
+/// is right. From afar that takes the bounds by terms.
 TEST_P(Packets, OrderOnlyWhatTheirBoundsTellApart) {
   Random random(53);
   std::size_t known = 0, asked = 0;

@@ -16,7 +16,7 @@ using testing::InEnvironment;
 using testing::scaled_scene;
 using testing::ScaledScene;
 
-/// What the header states of t: less than 2⁻²⁰ off, relatively, or correctly rounded.
+/// Whether t keeps what the header states: a relative error below 2⁻²⁰, or correct rounding.
 bool keeps_bound(double t, const ExactParameter& exact) {
   if (t == exact.rounded()) return true;
   if (!std::isfinite(t)) return false;
@@ -39,7 +39,7 @@ struct Judged {
   }
 };
 
-/// All ways to ask on one target, in one environment.
+/// Checks t by all entries of the tree, on one instruction set in one floating-point environment.
 void ask(const TriangleTree& tree, const std::vector<Triangle>& triangles, const std::vector<Ray>& rays,
          unsigned environment, std::vector<std::optional<ExactParameter>>& known, Judged& judged) {
   std::vector<std::optional<Nearest>> alone, together(rays.size());
@@ -71,7 +71,8 @@ TEST_P(Parameter, IsWithinItsBoundAtEveryScale) {
   EXPECT_GT(judged.hits, 50'000U);
 }
 
-/// Rays that start next to the surface or run almost along it, alike (packets) and not (streams).
+/// Rays that start next to the surface or run almost along it, similar ones (for packets) and unrelated ones (for
+/// streams).
 TEST_P(Parameter, IsWithinItsBoundFromNextToTheSurface) {
   Judged judged;
   testing::Random random(41);

@@ -42,7 +42,7 @@ bool is_on_edge(const Lattice& p, const Lattice& a, const Lattice& b) {
          is_between(p.z, a.z, b.z);
 }
 
-/// The oracle: no code of the project takes part.
+/// The oracle, a mesh with integer coordinates; it uses no code of the project.
 class LatticeMesh {
  public:
   explicit LatticeMesh(const std::vector<Triangle>& triangles) {
@@ -53,7 +53,8 @@ class LatticeMesh {
     return std::any_of(corners_.begin(), corners_.end(), [&](const auto& t) { return holds(t, p); });
   }
 
-  /// Upwards from p: each triangle counts as often as its outline, seen from above, winds about p.
+  /// The winding number about p, along the vertical line upwards from p: each triangle above p counts as often as its
+  /// outline, seen from above, winds about p.
   int winding(const Lattice& p) const {
     int sum = 0;
     for (const auto& t : corners_) {
@@ -78,7 +79,8 @@ class LatticeMesh {
     return true;
   }
 
-  /// Of one edge, where it passes the line to the right of p; its lower end belongs to it, its upper one does not.
+  /// The contribution of one edge that passes to the right of p; the lower end belongs to the edge, the upper one
+  /// does not.
   static int winds(const Lattice& p, const Lattice& a, const Lattice& b) {
     if ((a.y <= p.y) == (b.y <= p.y)) return 0;
     const std::int64_t side = (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
@@ -182,7 +184,7 @@ Point3 small_step(Random& random, int most) {
   return {x, y, z};
 }
 
-/// On vertices and midpoints, next to them, in the planes of many faces, and between some vertices.
+/// Draws a point: on a vertex or a midpoint, next to one, in the planes of many faces, or between some vertices.
 Point3 draw_point(Random& random, const std::vector<Triangle>& triangles) {
   const Triangle& t = some(random, triangles);
   const Triangle& u = some(random, triangles);
@@ -203,7 +205,8 @@ Point3 draw_point(Random& random, const std::vector<Triangle>& triangles) {
   }
 }
 
-/// Exactly at vertices, midpoints of edges and points of faces; along edges and axes; anywhere; nowhere.
+/// Draws a direction: exactly at a vertex, a midpoint of an edge or a point of a face; along an edge or an axis; any;
+/// or zero.
 Direction draw_direction(Random& random, const std::vector<Triangle>& triangles, const Point3& o) {
   const Triangle& t = some(random, triangles);
   Point3 axis(0);
@@ -229,7 +232,7 @@ struct Counts {
   std::uint64_t rays = 0, wrong = 0, inside = 0, boundary = 0, winds_otherwise = 0;
 };
 
-/// Lattice meshes and points, and what is asked of the tree once all are multiplied by a power of two.
+/// Compares the oracle on a lattice mesh with the tree on the same mesh and points multiplied by a power of two.
 void compare(const Mesh& mesh, int exponent, std::uint64_t seed, Counts& counts) {
   const std::vector<Triangle> triangles = triangles_of(mesh);
   const LatticeMesh oracle(triangles);

@@ -197,7 +197,8 @@ TEST(Render, SameBytesForEveryAccelerationAndEveryExactMethod) {
   }
 }
 
-/// Scene, camera, lights times 2^k: every construction and decision scales along.
+/// With scene, camera and lights times 2^k, every construction scales and every decision stays, so the picture is the
+/// same.
 TEST(Render, PowersOfTwoChangeNothing) {
   const Scene scene = small_scene();
   const Rendering expected = rendered(scene, "sf-double", Accel::bvh, 2);

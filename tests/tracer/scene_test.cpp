@@ -1,4 +1,4 @@
-// Scene files: what must be refused, with the place named.
+// Scene files: what must be refused, with a message that names the place.
 #include "tests/tracer/support.h"
 #include "tracer/scene/read_scene.h"
 

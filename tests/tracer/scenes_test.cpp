@@ -27,7 +27,8 @@ std::vector<std::string> all_scenes() {
   return names;
 }
 
-/// A quarter of the size, an eighth with a large mesh; odd if it was, so that a centre stays under a pixel.
+/// The scene at a quarter of its picture's size, or an eighth with a large mesh; odd sizes stay odd, so that the
+/// centre stays under a pixel.
 Scene reduced(const std::string& name) {
   Scene scene = shipped(name);
   const auto is_large = [](const Solid& s) { return s.mesh.triangles.size() > 1000; };
@@ -50,7 +51,7 @@ Rendering drawn(const Scene& scene, const char* name, Accel accel, unsigned thre
   return render(make_world(scene, Format::binary64, accel), method(name), {scene.depth, threads});
 }
 
-/// scene → "width height hash"
+/// The rows of data/scenes/expected.tsv: scene → "width height hash".
 std::map<std::string, std::string> expected_rows() {
   std::ifstream in("data/scenes/expected.tsv");
   std::map<std::string, std::string> rows;
@@ -68,7 +69,8 @@ struct Way {
   unsigned threads;
 };
 
-/// sf-filtered every way; sf-rational too where TRIBUNAL_LONG is set in the environment (ten minutes), else one way.
+/// The ways to draw a scene: every acceleration with 1, 2 and 7 threads, by sf-filtered and, if TRIBUNAL_LONG is set
+/// in the environment (ten minutes), by sf-rational too.
 std::vector<Way> ways() {
   std::vector<Way> all;
   for (const char* name : {"sf-filtered", "sf-rational"}) {

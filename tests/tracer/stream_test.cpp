@@ -1,5 +1,5 @@
-// Rays in a batch: the answers are those that exact arithmetic gives one by one, whoever travels beside, on every
-// target.
+// Rays in a batch: the answers are those of exact arithmetic for each ray alone, whatever the other rays of the batch,
+// on every instruction set.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -32,7 +32,7 @@ bool are_equal(const std::optional<Nearest>& a, const std::optional<Nearest>& b)
   return a.has_value() == b.has_value() && (!a || (a->id == b->id && a->t == b->t));
 }
 
-/// Rays that are no rays, or reach nowhere.
+/// A ray that is not finite, has no direction, or is out of the range of the boxes.
 Ray odd(Random& random, const Ray& ray) {
   const double infinity = std::numeric_limits<double>::infinity(), nan = std::nan("");
   switch (random.below(6)) {
@@ -83,7 +83,7 @@ TEST_P(RayBatch, HasTheAnswersOfExactArithmetic) {
   EXPECT_GT(hits, 300);
 }
 
-/// As many as a walk needs to wait for others, in batches of every length about the number of walkers.
+/// Batches of every length around the number of walkers: the answer to a ray does not depend on the others.
 TEST_P(RayBatch, DoesNotDependOnWhoTravelsBeside) {
   Random random(32);
   std::vector<Triangle> triangles;

@@ -64,7 +64,7 @@ class TemporaryDirectory {
   std::filesystem::path path_;
 };
 
-/// The line that `run` fails with as bad input; a test failure if it does not.
+/// The message of the Failure with Exit::bad_input that `run` throws; if it throws none, the test fails.
 template <class Run>
 std::string refusal_of(const Run& run) {
   try {

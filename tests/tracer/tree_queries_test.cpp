@@ -24,7 +24,7 @@ std::vector<Triangle> triangles_of(const Scene& scene) {
   return triangles;
 }
 
-/// Over rationals, in the tracer's reading.
+/// Whether the probe hits the triangle by rational arithmetic, in the tracer's reading.
 template <class P>
 bool is_hit(const P& probe, const Triangle& t) {
   const Answer a = segura_feito(probe, t, RationalKernel{});
@@ -40,7 +40,7 @@ std::vector<std::uint32_t> hit_by(const P& probe, const std::vector<Triangle>& t
   return ids;
 }
 
-/// By exact parameter; ids ascend where these are equal, as a stable sort leaves them.
+/// The triangles that the ray hits, sorted by exact parameter; a stable sort leaves the ids of equal ones ascending.
 std::vector<std::uint32_t> in_order(const Ray& ray, const std::vector<Triangle>& triangles) {
   std::vector<std::uint32_t> ids = hit_by(ray, triangles);
   std::stable_sort(ids.begin(), ids.end(), [&](std::uint32_t a, std::uint32_t b) {

@@ -1,4 +1,4 @@
-// Triangles and rays that try trees hard, and what exact arithmetic says of them.
+// Triangles and rays that are difficult for trees, and their hits by exact arithmetic.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace tribunal::testing {
 
-/// Runs a test once a target that the machine has.
+/// Runs a test once for each instruction set of this machine.
 class OnEveryTarget : public ::testing::TestWithParam<std::string_view> {
  protected:
   void SetUp() override { force_batch_target(GetParam()); }
@@ -39,7 +39,8 @@ inline std::vector<Triangle> soup(Random& random, const Point3& offset, double s
   return triangles;
 }
 
-/// At vertices, midpoints of edges and points of faces, in planes of faces, along axes, from afar and from inside.
+/// A ray at a vertex, a midpoint of an edge or a point of a face, in the plane of a face or along an axis, from afar
+/// or from inside.
 inline Ray aimed(Random& random, const std::vector<Triangle>& triangles, double scale) {
   const Triangle& t = triangles[random.below(triangles.size())];
   const Triangle& u = triangles[random.below(triangles.size())];

@@ -17,7 +17,8 @@ using testing::method;
 
 const char* const closed_meshes[] = {"elephant", "knot1", "cow", "pinion", "sphere966", "hand", "3torus", "star"};
 
-/// Vertices on a grid of 2²⁰ steps, then at the offset: from an eye on the grid every direction is exact.
+/// The mesh with its vertices rounded to a grid of 2²⁰ steps and moved by the offset: from an eye on the grid every
+/// direction is exact.
 Solid on_grid(const std::string& name, double offset) {
   const std::string path = "data/meshes/" + name + ".off";
   Solid solid{.name = name, .mesh = triangulated(read_mesh(path), path), .material = {}};
@@ -29,7 +30,7 @@ Solid on_grid(const std::string& name, double offset) {
   return solid;
 }
 
-/// Every edge is run along as often one way as the other.
+/// Whether every edge occurs equally often in either direction.
 bool is_closed(const Mesh& mesh) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
   for (const auto& t : mesh.triangles) {

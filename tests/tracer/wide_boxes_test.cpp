@@ -1,4 +1,4 @@
-// Boxes of the tree of eight a node: none that is exactly met is lost, on any target.
+// Boxes of the tree: none that a probe exactly meets is lost, on any instruction set.
 #include <gmpxx.h>
 
 #include <cmath>
@@ -60,8 +60,8 @@ struct BoxScore {
   int met = 0, lost = 0, offered = 0, asked = 0;
 };
 
-/// Counts boxes that are met and not offered: among all, and, for rays, with the limit at the first t in the box.
-/// `spoil` may change the probe.
+/// Counts boxes that the probe exactly meets but the walk does not enter: without a limit, and for rays also with the
+/// limit at the first t in the box. `spoil` may change the probe.
 template <class P, class Spoil>
 void score(const std::vector<Box>& boxes, const WideTree& tree, const P& probe, const Spoil& spoil, BoxScore& s) {
   WideProbe wide(probe, tree.frame());
@@ -188,8 +188,8 @@ TEST_P(WideBoxes, TheCornersCatchAProbeThatIsNotWidened) {
   EXPECT_GT(lattice_score(3, Point3(0), 1, narrow).lost, 0);
 }
 
-/// How far near and far of probe.h are from the exact τ at which a ray passes a plane, in widenings |r|·E: fused, and
-/// not.
+/// The errors of near and far (probe.h) against the exact τ at which a ray passes a plane, in units of the widening
+/// |r|·E.
 struct PlaneErrors {
   double near = -1e9, far = -1e9;  ///< the greatest of near − τ and τ − far: the claim is that both are negative
 };

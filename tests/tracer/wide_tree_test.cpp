@@ -106,7 +106,7 @@ TEST(WideTree, HasNoSubnormalPlanes) {
   }
 }
 
-/// Equal boxes cannot be parted by cost; all primitives are found all the same.
+/// Equal boxes cannot be separated by cost; all primitives are found nevertheless.
 TEST(WideTree, HandlesEqualBoxes) {
   const std::vector<Box> boxes(5000, box_between(Point3(0), Point3(1)));
   const WideTree tree = tree_over(boxes);
@@ -114,7 +114,8 @@ TEST(WideTree, HandlesEqualBoxes) {
   EXPECT_EQ(offered(tree, probe, WideProbe::far_away).size(), boxes.size());
 }
 
-/// What a walk that meets every box may have to keep waiting below a node or leaf, the popped one not counted.
+/// The greatest size of the traversal stack below a node or leaf, for a walk that meets every box; the popped node is
+/// not counted.
 std::size_t waiting_below(const WideTree& tree, NodeRef at) {
   if (at.is_leaf()) return 0;
   const WideNode& node = tree.nodes()[at.index()];
@@ -138,7 +139,7 @@ std::vector<Box> halving_boxes(int sizes, int copies, const Point3& stretch) {
   return boxes;
 }
 
-/// Stacks of walks have room for what waits in any tree; here, in those that are deepest.
+/// Traversal stacks have room for all waiting nodes of any tree; tried on the deepest trees.
 TEST(WideTree, NoMoreNodesWaitThanStacksHaveRoomFor) {
   std::size_t most = 0;
   for (const int sizes : {1, 30, 60, 120}) {

@@ -22,9 +22,9 @@ constexpr std::string_view name_of(Accel a) {
   return names[static_cast<int>(a)];
 }
 
-/// Faces by id, those of one solid one after the other: triangles, and polygons, which have one in their plane.
+/// The faces of a scene by id; the faces of one solid follow each other. A face is a triangle or a polygon.
 struct FaceList {
-  std::span<const Triangle> triangles;  ///< of face i: itself, or one that spans the polygon's plane
+  std::span<const Triangle> triangles;  ///< of face i: the face itself, or a triangle that spans the polygon's plane
   std::span<const std::uint32_t> solid_of;
   std::span<const std::int32_t> polygon_of;  ///< of face i: an index into polygons, −1 for triangles
   std::span<const Box> polygon_boxes;
@@ -43,15 +43,15 @@ class BoxedFaces {
   std::size_t size() const { return tree_.empty() ? list_.size() : places_.size(); }
   Triangle operator[](std::uint32_t id) const;
 
-  /// The tree in mode `bvh`, else nothing.
+  /// The tree of boxes in mode `bvh`, else null.
   const WideTree* tree() const { return tree_.empty() ? nullptr : &tree_; }
 
-  /// Room for a walk, one a thread.
+  /// The boxes that a walk still has to enter, and their solids: memory that each thread keeps for its walks.
   using Waiting = std::vector<std::pair<double, std::uint32_t>>;
 
-  /// Of modes `none` and `boxes`: calls visit(id) for the faces of all solids that the probe may meet, nearer boxes
-  /// first, until it returns true. Boxes that begin beyond `limit` are skipped; visit may lower it on the way. Law:
-  /// every face that the probe exactly meets at t ≤ limit is visited.
+  /// In modes `none` and `boxes`: calls visit(id) for the faces of all solids that the probe may meet, nearer boxes
+  /// first, until `visit` returns true. Boxes that the probe enters at t > limit are skipped; `visit` may lower
+  /// `limit`. Law: every face that the probe exactly meets at t ≤ limit is visited.
   template <class Visit>
   void visit(const BoxProbe& probe, const double& limit, Waiting& waiting, RayTally& tally, const Visit& visit) const {
     if (!boxed_) {
@@ -74,21 +74,21 @@ class BoxedFaces {
  private:
   struct Solid {
     Box box;
-    std::uint32_t first, end;  ///< ids
+    std::uint32_t first, end;  ///< its faces are those with first ≤ id < end
   };
 
-  /// A triangle in the tree, or the plane of a polygon in the list.
+  /// The lane of a Place that refers to the list instead of to a leaf of the tree.
   static constexpr std::uint32_t in_list = 0xffffffff;
 
   void box_solids(const FaceList& faces);
   void plant_tree(const FaceList& faces);
   void enter(const BoxProbe& probe, Waiting& waiting, RayTally& tally) const;
 
-  std::vector<Triangle> list_;  ///< in mode `bvh` only the planes of polygons
+  std::vector<Triangle> list_;  ///< all triangles; in mode `bvh` only those that span the planes of polygons
   bool boxed_ = false;
   std::vector<Solid> solids_;
   WideTree tree_;
-  std::vector<Place> places_;  ///< of face i; with lane = in_list, the leaf's bits are an index into list_
+  std::vector<Place> places_;  ///< of face i; if its lane is in_list, the leaf's bits are an index into list_
 };
 
 }  // namespace tribunal

@@ -1,4 +1,4 @@
-// The certified test as the judge of what a walk through a tree of triangles comes upon.
+// The certified test as the judge of the candidates of a walk through a tree of triangles.
 #pragma once
 
 #include "exact/filtered/filtered.h"
@@ -22,7 +22,7 @@ struct Certified {
   static bool accepts(std::uint32_t) { return true; }
 };
 
-/// The same of a ray, with what is to be known of where its hits are.
+/// The same for a ray, with what ClosestQuery and AllQuery ask to order the hits along it.
 struct CertifiedRay : Certified<Ray> {
   CertifiedRay(const WideTree& t, const Ray& r) : Certified<Ray>{t, r}, ray(r) {}
 
@@ -35,7 +35,7 @@ struct CertifiedRay : Certified<Ray> {
     return compare_hits(ray, tree.triangle(a.place), tree.triangle(b.place));
   }
 
-  /// With a t that keeps the bound of Nearest.
+  /// The hit as the library returns it: its t keeps the error bound stated at Nearest.
   Nearest handed_out(const BoundedHit& hit) const {
     return {hit.id, hit.bounds.are_close() ? hit.t : rounded_parameter(ray, tree.triangle(hit.place))};
   }

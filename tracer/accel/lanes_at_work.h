@@ -1,4 +1,4 @@
-// Whether probes that come next to each other are alike enough to walk in packets.
+// Whether neighbouring probes of a batch are similar enough to walk in packets.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace tribunal {
 
-/// How many of the lanes that packets took to a box had a question there.
+/// Of the lanes of all box tests that packets made, how many belonged to probes that had to test that box.
 struct LanesAtWork {
   std::uint64_t at_work = 0, taken = 0;
 
@@ -18,9 +18,10 @@ struct LanesAtWork {
   void forget_some() { at_work -= at_work / 8, taken -= taken / 8; }
   double share() const { return taken == 0 ? 0 : static_cast<double>(at_work) / static_cast<double>(taken); }
 
-  /// Measured on rays through neighbouring pixels and meshes of 16 thousand to a million triangles in warm caches:
-  /// packets win where more than 0.65 of their lanes are at work, by a half at 0.9, and lose as much at 0.45. In cold
-  /// ones they wait for memory where a stream does not.
+  /// Probes are walked in packets where at least this share of lanes is at work. Measured on rays through
+  /// neighbouring pixels and meshes of 16 thousand to a million triangles: with warm caches packets are faster than a
+  /// stream above a share of 0.65, by a half at 0.9, and slower by as much at 0.45; with cold caches they wait for
+  /// memory where a stream does not.
   static constexpr double alike = 0.7;
 };
 

@@ -21,10 +21,10 @@ constexpr std::string_view name_of(RayKind k) {
   return names[static_cast<int>(k)];
 }
 
-/// What a question or a pixel cost.
+/// What it cost to answer a query or to compute a pixel.
 struct Cost {
-  std::uint64_t tests = 0;      ///< of faces, those for proved starts included
-  Stage deepest = Stage::none;  ///< of the stages that answered, but for proved starts
+  std::uint64_t tests = 0;      ///< tests of faces, those for proved starts included
+  Stage deepest = Stage::none;  ///< the deepest stage that answered; tests for proved starts do not count
 
   Cost& operator+=(const Cost& c) {
     tests += c.tests;
@@ -44,10 +44,10 @@ struct RayTally {
   std::array<std::uint64_t, stage_count> by_stage{};  ///< answers to those tests by the stage that gave them
 
   // Of the search for proved starts (departure.h), whose tests are counted here and not above.
-  std::uint64_t starts = 0;            ///< starts of secondary rays that were wanted
-  std::uint64_t start_candidates = 0;  ///< points that were tried
-  std::uint64_t start_tests = 0;       ///< primitives tested for them
-  std::uint64_t starts_unproved = 0;   ///< where no candidate could be proved
+  std::uint64_t starts = 0;            ///< secondary-ray origins that were searched for
+  std::uint64_t start_candidates = 0;  ///< points that were tried as origins
+  std::uint64_t start_tests = 0;       ///< primitives tested against segments to these points
+  std::uint64_t starts_unproved = 0;   ///< searches in which no point could be proved
 
   RayTally& operator+=(const RayTally& t) {
     for (std::size_t k = 0; k < rays.size(); ++k) {
@@ -73,7 +73,7 @@ struct RayTally {
   std::uint64_t all_rays() const { return rays[0] + rays[1] + rays[2] + rays[3]; }
 };
 
-/// What questions cost between two moments of a tally.
+/// The cost of all that was counted between two states of one tally.
 inline Cost cost_between(const RayTally& before, const RayTally& after) {
   Cost cost{after.tests() + after.start_tests - before.tests() - before.start_tests, Stage::none};
   for (const Stage s : deciding_stages) {

@@ -47,7 +47,8 @@ std::vector<Nearest> all_alone(const WideTree& tree, const Ray& ray) {
   return hits;
 }
 
-/// A point has no crossings to count: it is given the direction that its perturbation begins with.
+/// A ray without direction is a point, which crosses nothing: it gets the direction x, along which its perturbation
+/// begins.
 Ray with_direction(const Ray& ray) { return ray.d.v == Point3(0) ? Ray{ray.o, {{1, 0, 0}}} : ray; }
 
 Parity parity_alone(const WideTree& tree, const Ray& ray) {
@@ -59,8 +60,8 @@ Parity parity_alone(const WideTree& tree, const Ray& ray) {
   return {false, query.count(), query.winding()};
 }
 
-/// Any direction will do. This one is parallel to no axis, diagonal or plane of a lattice, so that the filter is
-/// certain nearly always, and about as long as the tree is large.
+/// The direction of the ray that decides whether a point is inside. Any would do; this one is parallel to no axis,
+/// diagonal or plane of a lattice, so that the filter rarely fails, and about as long as the tree is large.
 Direction askew(const WideTree& tree) { return {Point3(0.59384619, 0.46157913, 0.65904237) / tree.frame().unit}; }
 
 Side side_alone(const WideTree& tree, const Point3& p) {
@@ -77,7 +78,7 @@ void one_by_one(std::span<const Question> questions, std::span<Answer> answers, 
   for (std::size_t i = 0; i < questions.size(); ++i) answers[i] = ask(questions[i]);
 }
 
-/// Eight segments at a time; those that a packet cannot tell of alone.
+/// Answers eight segments at a time; where the packet is not certain of a lane, its segment walks on its own.
 LanesAtWork any_together(const WideTree& tree, std::span<const Segment> some, std::uint8_t* met) {
   ProbePacket packet;
   for (std::size_t lane = 0; lane < some.size(); ++lane) packet.set(lane, some[lane].p, some[lane].q);

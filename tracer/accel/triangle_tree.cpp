@@ -10,7 +10,7 @@
 namespace tribunal {
 namespace {
 
-/// All that finding the closest hit of a ray takes.
+/// The search for the closest hit of one ray: its probe, judge and query.
 class Search {
  public:
   Search(const WideTree& tree, const Ray& ray, const WideProbe& probe)
@@ -55,7 +55,8 @@ std::optional<Nearest> search(const WideTree& tree, const Ray& ray) {
   return alone.nearest();
 }
 
-/// Eight rays at a time; alone those that a packet cannot tell of, or whose t it does not know closely.
+/// Answers eight rays at a time; where the packet is not certain of a lane, or its bounds of t are not close, the ray
+/// walks on its own.
 LanesAtWork search_packets(const WideTree& tree, std::span<const Ray> rays, std::span<std::optional<Nearest>> hits) {
   LanesAtWork lanes;
   for (std::size_t from = 0; from < rays.size(); from += packet_size) {
@@ -66,8 +67,8 @@ LanesAtWork search_packets(const WideTree& tree, std::span<const Ray> rays, std:
     packet_target().first_hits({tree, {}, {}}, packet, a);
     for (std::size_t lane = 0; lane < some.size(); ++lane) {
       std::optional<Nearest>& hit = hits[from + lane];
-      const unsigned told = a.known & (a.close | ~a.hit);
-      if ((told >> lane & 1) == 0) {
+      const unsigned answered = a.known & (a.close | ~a.hit);
+      if ((answered >> lane & 1) == 0) {
         hit = search(tree, some[lane]);
       } else if ((a.hit >> lane & 1) == 0) {
         hit.reset();

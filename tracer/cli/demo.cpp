@@ -22,7 +22,7 @@ struct Options {
 
 constexpr int stages = 5;
 
-/// The test in two arithmetics, as on the page.
+/// The two methods that the page compares: the same test in double and in rational arithmetic.
 constexpr const char* floating = "sf-double";
 constexpr const char* exact = "sf-rational";
 
@@ -49,7 +49,7 @@ int run_step(const Step& step) {
 
 bool is_interruption(int exit) { return exit == code(Exit::interrupted) || exit == code(Exit::terminated); }
 
-/// Runs steps, collecting their lines and what came out unexpectedly.
+/// Runs steps, and keeps their command lines and the unexpected results.
 class Runner {
  public:
   void announce(int stage, const std::string& what) {
@@ -73,7 +73,7 @@ class Runner {
   std::vector<std::string> lines_, unexpected_;
 };
 
-/// Before anything is run or written.
+/// Refuses a scene that cannot be read, before anything is run or written.
 void require_scene(const std::string& file) {
   try {
     read_scene(file);
@@ -113,8 +113,8 @@ std::string stats_file(const Options& o, const std::string& method) {
   return o.out + "/render/exact-" + method + ".json";
 }
 
-/// The reference against the method gives the exact picture and the difference; the method has its own picture made in
-/// the same rounding of the scene, since that follows from its format alone.
+/// Two renders for each method: the reference against the method, which gives the exact picture and the difference,
+/// and the method alone, which gives its own picture. Both round the scene to the method's format.
 void run_render(Runner& runner, const Options& o) {
   runner.announce(3, "render: what wrong answers do to a picture");
   make_directory(o.out + "/render");
@@ -136,7 +136,7 @@ void run_chart(Runner& runner, const Options& o) {
       {"chart", declare_chart, {"--threads", std::to_string(o.threads), "--out", o.out + "/" + demo_files::charts}});
 }
 
-/// The plainest counterexample, in a file of its own, and what replay says of it.
+/// Writes the plainest counterexample to a file of its own and adds it to the page, with what `replay` says of it.
 void add_counterexample(Tour& tour) {
   tour.counterexample =
       plainest(read_cases(tour.directory + "/" + certificate_directory(floating) + "/counterexamples.jsonl"));

@@ -31,7 +31,8 @@ struct Options {
 
 bool takes_rays(const Method& m) { return m.contract.probes.rays && m.contract.triangles != Triangles::none; }
 
-/// The methods named; else those of plugins, if there are plugins; else the flagship, and all that are not exact.
+/// The methods named on the command line; if none, those of the plugins; if there are no plugins, the flagship and
+/// all methods that are not exact.
 std::vector<Method> methods_of(const Options& o) {
   if (!o.methods.empty()) return methods_named(o.methods);
   std::vector<Method> methods;
@@ -66,7 +67,7 @@ std::string about(const Surface& s, const LeakReport& r) {
   return text + "\n";
 }
 
-/// Each method that takes no rays, in a line: it is not left out in silence.
+/// A line for each method that was left out because it takes no rays.
 std::string not_asked(const std::vector<Method>& methods) {
   std::string text;
   for (const Method& m : methods) {

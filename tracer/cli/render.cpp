@@ -20,18 +20,18 @@ namespace {
 
 struct Options {
   std::string scene, method, against, out, stats, pov;
-  int depth = 0;  ///< 0: the scene's
+  int depth = 0;  ///< 0 stands for the scene's own depth
   std::string accel = "bvh";
   unsigned threads = default_threads();
   std::size_t max_cases = 1000;
   bool triangulate = false, heat = false;
 };
 
-/// What --against found.
+/// The differences that --against found.
 struct Findings {
   std::vector<DifferingPixel> pixels;
   std::size_t colours = 0;               ///< pixels of another colour
-  std::array<std::size_t, 4> by_kind{};  ///< by the kind of ray on which the methods part, of the pixels examined
+  std::array<std::size_t, 4> by_kind{};  ///< examined pixels by the kind of the first ray on which the methods differ
   std::size_t examined = 0, order_only = 0, starts = 0;
   std::vector<Case> cases;
 };
@@ -42,7 +42,7 @@ Method method_named(const std::string& name) {
   return methods.front();
 }
 
-/// The option's value was checked against these names.
+/// The acceleration of this name; the option's parser has refused all other names.
 Accel accel_named(std::string_view name) {
   for (const Accel a : {Accel::none, Accel::boxes}) {
     if (name == name_of(a)) return a;
@@ -79,7 +79,7 @@ double share(std::uint64_t part, std::uint64_t whole) {
   return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0;
 }
 
-/// Of all hits only the first on a ray needs its point, and none that blocks a light.
+/// The number of hit points computed: one for each ray that hits something, but none for shadow rays.
 std::uint64_t points_computed(const RayTally& t) { return t.ray_hits[0] + t.ray_hits[2] + t.ray_hits[3]; }
 
 Json to_json(const Method& method, const RayTally& t) {
@@ -150,7 +150,8 @@ std::string describe(const World& world, const Options& o, int depth) {
   return text;
 }
 
-/// What the edges of the solids say: one line for those that are sound, and one for each of the first others.
+/// The topology of the solids: one line with the number of sound ones, and one line for each of the first eight
+/// others.
 std::string describe_solids(const Scene& scene, const std::vector<Topology>& topologies) {
   constexpr std::size_t most = 8;
   std::string text;
@@ -192,7 +193,7 @@ std::string table_row(const Method& m, const Rendering& r) {
                    100 * share(t.hits(), t.tests()), r.seconds);
 }
 
-/// What exact methods do about the starts of secondary rays.
+/// What it cost an exact method to prove the starts of secondary rays.
 std::string describe_starts(const Method& m, const RayTally& t) {
   if (!m.contract.exact || t.starts == 0) return "";
   return formatted("%s: %llu starts of secondary rays, %llu points tried, %llu face tests, %llu starts unproved\n",
@@ -249,7 +250,8 @@ std::vector<Output> outputs_of(const Options& o) {
   return all;
 }
 
-/// Found before the work is done, not after. A device may stand for a picture from which no other file takes its name.
+/// Refuses output files that cannot be written, before the work is done. The picture may be a device such as
+/// /dev/null, unless other files are named after it.
 void require_writable(const Options& o, const std::vector<Output>& outputs) {
   const bool names_others = o.heat || !o.against.empty();
   if (std::filesystem::path(o.out).extension() != ".png" && (names_others || !is_special(o.out))) {

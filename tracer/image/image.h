@@ -13,7 +13,7 @@ namespace tribunal {
 
 using Pixel = std::array<std::uint8_t, 3>;
 
-/// Rows from the top.
+/// The pixels of a picture, row by row from the top.
 struct Image {
   int width = 0, height = 0;
   std::vector<Pixel> pixels;

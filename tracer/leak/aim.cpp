@@ -11,7 +11,7 @@
 namespace tribunal::leak {
 namespace {
 
-/// Σ wᵢ·vᵢ / Σ wᵢ: a vertex, a point of an edge or one of a face.
+/// The point Σ wᵢ·vᵢ / Σ wᵢ that a ray is aimed at: a vertex, or a point of an edge or of a face.
 struct Mark {
   Aim aim;
   std::uint32_t at;
@@ -25,7 +25,7 @@ struct Mark {
   }
   double weight() const { return weights[0] + weights[1] + weights[2]; }
 
-  /// Σ wᵢ·(vᵢ − o), which points from o to the mark, as it rounds.
+  /// Σ wᵢ·(vᵢ − o), rounded: a direction from o to the mark.
   Point3 direction_from(const Point3& o) const {
     Point3 d(0);
     for (std::size_t i = 0; i < count; ++i) d += weights[i] * (points[i] - o);
@@ -58,7 +58,8 @@ Mark mark_of(const Surface& surface, std::uint64_t k, Draw& draw) {
   return mark;
 }
 
-/// A number in [lo, hi], in steps of 1/1024 of the larger bound or, `finely`, as fine as the format has them.
+/// Draws a number in [lo, hi], in steps of 1/1024 of the larger bound or, if `finely`, in the finest steps of the
+/// format.
 double draw_between(double lo, double hi, bool finely, Format format, Draw& draw) {
   const double share = std::ldexp(static_cast<double>(draw.below(std::uint64_t{1} << 53)), -53);
   const double x = lo + share * (hi - lo);
@@ -68,7 +69,7 @@ double draw_between(double lo, double hi, bool finely, Format format, Draw& draw
   return in_format(std::round(x / step) * step, format);
 }
 
-/// Where a coordinate of a source may lie: about the box, or in it.
+/// The range of a coordinate of a source: around the surface's box, or in it.
 struct Range {
   double lo, hi;
 };
@@ -114,7 +115,8 @@ Ray ray_from(const Point3& o, const Mark& mark, Format format) {
   return {o, {in_format(mark.direction_from(o), format)}};
 }
 
-/// Some draws: one on the side that is wanted and on the mark, else one on the side that is wanted, else any.
+/// The best of several draws: a ray from the wanted side that meets its mark; else one from the wanted side; else
+/// any.
 std::optional<Ray> draw_ray(const Surface& surface, const Mark& mark, bool inside, bool exactly, Draw& draw) {
   constexpr int attempts = 12;
   const Side wanted = inside ? Side::inside : Side::outside;
@@ -132,14 +134,14 @@ std::optional<Ray> draw_ray(const Surface& surface, const Mark& mark, bool insid
   return on_wanted_side ? on_wanted_side : on_any_side;
 }
 
-/// The direction, longer or shorter by a power of two, where the format has it exactly.
+/// Multiplies the direction by a power of two, if the result is exact in the format.
 void scale(Direction& d, Format format, Draw& draw) {
   const double factor = std::ldexp(1, static_cast<int>(draw.between(-8, 8)));
   const Point3 scaled = d.v * factor;
   if (is_finite(scaled) && is_exact_in(scaled, format) && scaled / factor == d.v) d.v = scaled;
 }
 
-/// One coordinate of the ray by a few units in its last place, most often one.
+/// Moves one coordinate of the ray by a few units in its last place, most often by one.
 void nudge(Ray& ray, Format format, Draw& draw) {
   constexpr std::int64_t ulps[] = {1, 1, 1, 2, 3, 8};
   const bool of_source = draw.below(3) == 0;

@@ -27,10 +27,10 @@ struct AimedRay {
   std::uint32_t at;
 };
 
-/// Ray k of a seed, a function of its arguments. In turn: at the next vertex, the next edge, the next face; from
-/// outside and from inside, where the surface is closed and has an inside that is found; exactly (where the coordinates
-/// allow a source from which the direction is exact), as near as rounding goes, and next to either by some units in the
-/// last place of one coordinate of the ray. Nothing if no source off the surface was found.
+/// Ray k under a seed; it depends on the arguments alone. Rays are aimed in turn at the next vertex, the next edge
+/// and the next face; from outside and, if the surface is closed and an inside point is found, from inside; exactly
+/// (if the coordinates allow a source from which the direction is exact), up to rounding, and some units in the last
+/// place of one coordinate beside either. Nothing if no source off the surface was found.
 std::optional<AimedRay> aimed_ray(const Surface& surface, std::uint64_t seed, std::uint64_t k);
 
 }  // namespace tribunal::leak

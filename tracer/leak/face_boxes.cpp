@@ -6,7 +6,7 @@
 namespace tribunal::leak {
 namespace {
 
-/// Half a box's corners each, so that the sum does not overflow.
+/// The centre of a box on an axis; each bound is halved first, so that the sum does not overflow.
 double centre(const Box& b, int axis) { return b.lo[axis] / 2 + b.hi[axis] / 2; }
 
 int longest_axis(const Box& b) {

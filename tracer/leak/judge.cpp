@@ -9,8 +9,8 @@
 namespace tribunal::leak {
 namespace {
 
-/// The judgement of one testimony. A face that is reported though the ray misses it stands for a face at a place where
-/// none is reported, if the two share a vertex and look the same way; else it is one too many.
+/// Judges what was reported of one ray. A reported face that the ray misses stands for a face at a place where none
+/// is reported, if the two share a vertex and face the same way; else it is a false or a double hit.
 class Trial {
  public:
   Trial(const Surface& surface, const Subject& subject, const AimedRay& aimed, const RayTruth& truth)
@@ -43,7 +43,8 @@ class Trial {
 
   bool is_due(const Place& p) const { return is_passed(p) && !is_on_outline(p); }
 
-  /// From inside a closed surface every ray leaves it, wherever it does.
+  /// Whether some face must be reported: where the ray passes the surface, and always for a ray from inside a closed
+  /// surface, unless the test culls.
   bool some_hit_is_due() const {
     const bool leaves = truth_.inside && subject_.contract.culling == Culling::none;
     return leaves || std::ranges::find(due_, true) != due_.end();
@@ -53,7 +54,8 @@ class Trial {
     return std::ranges::find(truth_.at(p), face, &Crossed::face) != truth_.at(p).end();
   }
 
-  /// Whether a face that the ray misses stands for one at the place.
+  /// Whether a reported face that the ray misses stands for one at the place: it shares a vertex with it and faces
+  /// the same way.
   bool stands_for(const Place& p, std::uint32_t missed) const {
     const Facing facing = facing_of(surface_, aimed_.ray, missed);
     return std::ranges::any_of(truth_.at(p), [&](const Crossed& c) {
@@ -73,7 +75,7 @@ class Trial {
     return inner != crossed.end() ? inner->face : crossed.front().face;
   }
 
-  /// The first face due, for a ray that leaves from inside: if none is, whatever it meets.
+  /// The first face that must be reported; if there is none, for a ray from inside, the first face that it meets.
   std::uint32_t a_face_due() const {
     const auto first = std::ranges::find(due_, true);
     if (first != due_.end()) return a_face_at(static_cast<std::size_t>(first - due_.begin()));
@@ -108,7 +110,7 @@ class Trial {
     return faces;
   }
 
-  /// Whether it does; then it no longer does.
+  /// Whether a face is named twice; removes the repetitions.
   static bool names_a_face_twice(std::vector<std::uint32_t>& faces) {
     std::ranges::sort(faces);
     const auto repeated = std::ranges::unique(faces);

@@ -1,4 +1,4 @@
-// What was reported of a ray, held against what is exactly so.
+// The judgement of what a subject reported of a ray, by the exact truth.
 #pragma once
 
 #include <optional>
@@ -9,13 +9,13 @@
 
 namespace tribunal::leak {
 
-/// How a subject did on a ray, and for each error one face that shows it: one that ought to have been hit, or that
-/// ought not.
+/// The outcomes of a subject on one ray, and for each error one face that shows it: a face that should have been
+/// reported, or one that should not.
 struct Verdict {
   Outcomes outcomes{};
   bool parity_judged = false;
   std::array<std::optional<std::uint32_t>, outcome_count> face{};
-  double ulps = 0;  ///< of t of the closest hit, where it is right and t is given
+  double ulps = 0;  ///< error of t in ulps, if the closest hit is right and t is given
 
   void add(Outcome o, std::uint32_t f) {
     outcomes.add(o);
@@ -25,7 +25,7 @@ struct Verdict {
   std::optional<std::uint32_t> shown_by(Outcome o) const { return face[static_cast<std::size_t>(o)]; }
 };
 
-/// The ray does not start on the surface.
+/// Judges what a subject reported of a ray, which must not start on the surface.
 Verdict judge(const Surface& surface, const Subject& subject, const AimedRay& aimed, const RayTruth& truth,
               const Testimony& said);
 

@@ -8,8 +8,9 @@
 
 namespace tribunal::leak {
 
-/// One subject for each function that the plugin has: NAME/closest, /any, /all, /inside. The mesh is prepared here.
-/// Every ray is asked of them, with the mesh's faces by their numbers; `inside` of a closed surface only.
+/// One subject for each function that the plugin has: NAME/closest, /any, /all, /inside. Prepares the plugin's mesh.
+/// Each function gets every ray and returns faces by their numbers in the mesh; `inside` is tried on closed surfaces
+/// only.
 std::vector<Subject> subjects_of(const MeshPlugin& plugin, const Surface& surface);
 
 }  // namespace tribunal::leak

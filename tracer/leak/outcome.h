@@ -9,7 +9,7 @@
 
 namespace tribunal::leak {
 
-/// Of a ray. docs/leak.md has the definitions for people; judge.cpp has them as code.
+/// The outcome of a subject on a ray. docs/leak.md has the definitions for people; judge.cpp has them as code.
 enum class Outcome : std::uint8_t {
   leak,        ///< it passes through the surface, and no face is reported there
   lost,        ///< a leak, and no face is reported at all
@@ -35,7 +35,7 @@ constexpr std::string_view name_of(Outcome o) {
   return names[static_cast<int>(o)];
 }
 
-/// Whether it is an error. What is none is reported beside the errors.
+/// Whether an outcome is an error; the others are reported beside the errors.
 constexpr bool is_error(Outcome o) { return o < Outcome::neighbour; }
 
 constexpr std::array<Outcome, outcome_count> all_outcomes = {
@@ -53,7 +53,7 @@ class Outcomes {
   std::uint32_t bits_ = 0;
 };
 
-/// Rays of one aim: asked, and of these with each outcome.
+/// Counts of rays with one aim: how many there were, and how many had each outcome.
 struct AimTally {
   std::uint64_t rays = 0, parity_judged = 0;
   std::array<std::uint64_t, outcome_count> with{};
@@ -67,7 +67,7 @@ struct AimTally {
   }
 };
 
-/// The same by aim.
+/// The counts of all rays, by aim.
 struct LeakTally {
   std::array<AimTally, aim_count> by_aim{};
 

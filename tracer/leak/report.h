@@ -10,7 +10,7 @@
 
 namespace tribunal::leak {
 
-/// Outcomes per million rays, one row a subject; `by_aim`: a row for each aim.
+/// Outcomes per million rays, one row per subject; with `by_aim`, one row per subject and aim.
 std::string table(const std::vector<Subject>& subjects, const LeakReport& report, Format format, bool by_aim);
 
 /// One line: "watertight on these 300000 rays", or the worst first: leaks, and at what they were aimed.
@@ -22,14 +22,16 @@ bool has_erred(const SubjectReport& report);
 /// All counts; nothing that varies from run to run.
 Json summary(const Surface& surface, const std::vector<Subject>& subjects, const LeakReport& report);
 
-/// The faces that a subject leaked or erred at most, with their number of rays, for people; at most `most` of them.
+/// The faces at which a subject had the most leaks or other errors, with their numbers of rays, for people; at most
+/// `most` of them.
 std::string worst_faces(const SubjectReport& report, std::size_t most);
 
 /// The surface as a PLY file: a face is grey where nothing went wrong, from yellow to red the more leaks it has, from
 /// pale to strong blue the more other errors.
 std::string painted(const Surface& surface, const SubjectReport& report);
 
-/// The findings as cases: the ray, and the triangle that ought to have been hit, or not. `mesh` is the file's name.
+/// The findings as cases: the ray, and the triangle that should, or should not, have been reported. `mesh` is the
+/// file's name.
 std::vector<Case> cases_of(const Surface& surface, const Subject& subject, const SubjectReport& report,
                            const std::string& mesh, std::uint64_t seed);
 

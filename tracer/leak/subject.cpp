@@ -41,13 +41,13 @@ class FaceByFace {
     return hits;
   }
 
-  /// Sign of t₁ − t₂.
+  /// The sign of the t of a minus the t of b.
   Sign compare(const Ray& ray, const Reported& a, const Reported& b) const {
     if (!has_order()) return sign_of(*a.t - *b.t);
     return method_.compare_hits(ray, surface_.triangle(a.face), surface_.triangle(b.face));
   }
 
-  /// A hit of many points has no place in the order.
+  /// The closest of the hits; hits in the plane of their face have no single t and are left out.
   std::optional<Reported> closest_of(const Ray& ray, const std::vector<Reported>& hits) const {
     const Reported* best = nullptr;
     for (const Reported& hit : hits) {

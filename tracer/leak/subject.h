@@ -1,4 +1,4 @@
-// Who stands trial on a mesh: a method that is asked face by face, or a function of a mesh plugin.
+// The subject of a mesh trial: a method that is asked face by face, or a function of a mesh plugin.
 #pragma once
 
 #include <cstdint>
@@ -13,14 +13,15 @@
 
 namespace tribunal::leak {
 
-/// A face that is reported as hit, with its t where one is given. `in_plane`: as holding the ray in its plane.
+/// A face that is reported as hit, with its t if one is given. `in_plane`: it is reported as holding the ray in its
+/// plane.
 struct Reported {
   std::uint32_t face;
   std::optional<double> t{};
   bool in_plane = false;
 };
 
-/// What was reported of one ray. What a subject does not tell is nothing.
+/// What a subject reported of one ray; empty where it reports nothing of that kind.
 struct Testimony {
   std::optional<std::vector<Reported>> hits{};       ///< every face hit
   std::optional<bool> any{};                         ///< whether a face is hit
@@ -46,10 +47,11 @@ struct Subject {
   std::function<void(std::span<const AskedRay>, std::span<Testimony>)> ask{};  ///< from several threads at once
 };
 
-/// The method, asked about each of a ray's candidates. Every face that it calls hit is reported. The closest is the
-/// least by its own order of hits or, if it has none, by t; the lowest number among equals. The source is inside if the
-/// number of hits is odd: of faces, where the contract gives a shared edge to exactly one face; else of hits that the
-/// order, or t, tells apart. Both must outlive the subject.
+/// The subject that asks the method about each candidate of a ray. Every face that the method hits is reported. The
+/// closest is the least by the method's order of hits or, if it has none, by t; among equals that with the lowest
+/// number. The source is inside if the number of hits is odd: the number of faces hit, if the contract gives a shared
+/// edge to exactly one face; else the number of hits that differ in the order, or in t. Method and surface must
+/// outlive the subject.
 Subject subject_of(const Method& method, const Surface& surface);
 
 }  // namespace tribunal::leak

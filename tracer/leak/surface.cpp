@@ -16,8 +16,8 @@ bool has_no_area(const Triangle& t) {
   return std::ranges::all_of(all_axes, [&](Axis dropped) { return k.orient2d(dropped, t.a, t.b, t.c) == Sign::zero; });
 }
 
-/// 2048 units roundoff of the largest number that a ray from about the box has to do with. Which faces are asked about
-/// decides nothing that is exact.
+/// The margin of boxes: 2048 unit roundoffs of the largest number that occurs with rays from around the box. It only
+/// selects the faces that subjects are asked about; the exact truth does not depend on it.
 double margin_about(const Box& b, Format format) {
   double most = 0;
   for (int axis = 0; axis < 3; ++axis) most = std::max({most, std::abs(b.lo[axis]), std::abs(b.hi[axis])});

@@ -15,11 +15,11 @@
 
 namespace tribunal::leak {
 
-/// Lists of small numbers, one a row.
+/// Rows of indices, stored one after the other: for example the faces around each vertex.
 class Incidence {
  public:
   Incidence() = default;
-  /// Row rows[i] gets the value values[i], in this order.
+  /// Appends values[i] to row rows[i], for each i in turn.
   Incidence(std::size_t row_count, std::span<const std::uint32_t> rows, std::span<const std::uint32_t> values);
 
   std::span<const std::uint32_t> operator[](std::size_t row) const {
@@ -43,7 +43,7 @@ class Surface {
   Format format() const { return format_; }
   const Topology& topology() const { return topology_; }
   const Box& bounds() const { return bounds_; }
-  const FaceBoxes& boxes() const { return boxes_; }  ///< wider by many times what a test may err in a coordinate
+  const FaceBoxes& boxes() const { return boxes_; }  ///< each is wider than its face by far more than a test may round
   const TriangleTree& tree() const { return tree_; }
 
   const std::vector<Point3>& vertices() const { return vertices_; }

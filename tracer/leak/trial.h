@@ -21,7 +21,7 @@ struct LeakFinding {
   std::uint64_t k;
   AimedRay aimed;
   Outcome outcome;
-  std::uint32_t face;  ///< that ought to have been hit, or ought not
+  std::uint32_t face;  ///< a face that should have been reported, or should not
 };
 
 /// How one subject did.
@@ -29,7 +29,7 @@ struct SubjectReport {
   LeakTally tally{};
   std::map<Outcome, std::vector<LeakFinding>> findings{};  ///< of errors, the first of each kind
   std::vector<std::uint32_t> leaks_at{}, errors_at{};      ///< by face; other errors than leaks in the second
-  double worst_ulps = 0;                                   ///< of t of right closest hits
+  double worst_ulps = 0;                                   ///< the worst error of t of right closest hits, in ulps
 };
 
 struct LeakReport {
@@ -39,10 +39,10 @@ struct LeakReport {
   std::uint64_t exactly = 0;              ///< of these, through an edge or a vertex
   std::uint64_t skipped = 0;              ///< not judged: they would start on the surface
   bool complete = false;
-  int signal = 0;  ///< that ended it early, or 0
+  int signal = 0;  ///< the signal that ended the trial early, or 0
 };
 
-/// Depends on all but the number of threads.
+/// Runs the trial. The report does not depend on the number of threads.
 LeakReport run_leak_trial(const Surface& surface, const std::vector<Subject>& subjects, const LeakPlan& plan);
 
 }  // namespace tribunal::leak

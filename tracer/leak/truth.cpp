@@ -9,7 +9,7 @@
 namespace tribunal::leak {
 namespace {
 
-/// Sorts what is crossed by exact parameter, at one parameter by face, and notes the places.
+/// Sorts the crossed faces by exact parameter, those of one parameter by number, and sets the places.
 void order(const Surface& surface, const Ray& ray, RayTruth& truth) {
   const auto compare = [&](const Crossed& a, const Crossed& b) {
     return compare_hits(ray, surface.triangle(a.face), surface.triangle(b.face));

@@ -1,4 +1,4 @@
-// What is exactly so of a ray and a surface.
+// The exact truth of a ray and a surface: which faces the ray meets, where and in which order.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ struct Crossed {
   std::uint32_t face;
   Contact contact;  ///< interior, edge or vertex
   Facing facing;
-  int direction;  ///< +1, −1 or 0 as crossing.h counts: how the ray crosses it when it is moved by next to nothing
+  int direction;  ///< +1, −1 or 0 as crossing.h counts: how the ray crosses it if moved by an infinitesimal
 };
 
 /// The faces that are crossed at one exact parameter: crossed[first] to crossed[end − 1].
@@ -24,7 +24,7 @@ struct Place {
   std::size_t first, end;
 };
 
-/// All exact: signs decide, and the order of parameters.
+/// The exact truth of a ray and a surface, from exact signs and the exact order of parameters.
 struct RayTruth {
   bool on_surface = false;             ///< the ray starts on a face: nothing is judged
   bool inside = false;                 ///< it starts inside; of a closed surface only
@@ -44,10 +44,11 @@ struct RayTruth {
 /// `candidates` has all faces that the ray meets, in ascending order.
 RayTruth truth_of(const Surface& surface, const AimedRay& aimed, std::span<const std::uint32_t> candidates);
 
-/// Whether the ray passes through the surface at the place, so that a watertight test must report a face there: one is
-/// met inside; or an odd number of faces is crossed by a ray moved by next to nothing, and no open edge is near. (If it
-/// is even, the ray touches an edge or a vertex from one side: a test that gives each edge to one face may report
-/// none.) Of a test that culls back faces, the same of front faces: one is met inside, or more are entered than left.
+/// Whether the ray passes through the surface at the place, so that a watertight test must report a face there. It
+/// does if it meets the interior of a face; or if the ray, moved by an infinitesimal, crosses an odd number of faces,
+/// and no open edge is near. (If the number is even, the ray touches an edge or a vertex from one side, and a test
+/// that gives each edge to one face may report none.) For a test that culls back faces the same holds of front faces:
+/// the interior of one is met, or more faces are entered than left.
 bool is_passed(const Surface& surface, const RayTruth& truth, const Place& place, Culling culling);
 
 /// The facing of a face in whose plane the ray does not start, as the source sees it.

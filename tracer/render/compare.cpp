@@ -22,7 +22,8 @@ std::vector<Decision> decisions_at(const World& world, const Method& method, con
   return log;
 }
 
-/// The faces that either method named first, then all that the tree offers: a wrong hit is the better evidence.
+/// The faces on which the methods may differ: first those that either reported as hit, since a wrong hit is the
+/// better evidence, then all that the acceleration offers.
 std::vector<std::uint32_t> suspects(const World& world, const Decision& a, const Decision& b) {
   std::vector<std::uint32_t> ids;
   if (a.kind != RayKind::shadow) {
@@ -55,7 +56,7 @@ std::string source_of(const World& world, const Method& a, const Method& b, cons
          world.scene->solids[world.solid_of[*parting.face]].name + "\": " + a.name + " against " + b.name;
 }
 
-/// With the exact answer, and a finding where one of the methods is wrong.
+/// The case with the exact answer, and with a finding for each of the methods that is wrong.
 Case judged(Case c, const Method& a, const Method& b) {
   const Truth truth = exact_truth(c.query);
   c.expect = truth.hit();

@@ -1,4 +1,4 @@
-// Where two methods' pictures of one world part, and why.
+// Where two methods' pictures of one world differ, and why.
 #pragma once
 
 #include "exact/cases/case_io.h"
@@ -6,32 +6,32 @@
 
 namespace tribunal {
 
-/// A pixel on which the methods decided differently somewhere.
+/// A pixel for which the two methods made different decisions.
 struct DifferingPixel {
   int column, row;
-  bool colour_differs;  ///< false: the decisions differ, but the colours round to the same
+  bool colour_differs;  ///< if false, the decisions differ but the rounded colours are equal
 };
 
-/// All of them in row order.
+/// All pixels on which the decisions of two renderings differ, in row order.
 std::vector<DifferingPixel> differing_pixels(const Rendering& a, const Rendering& b);
 
 /// The picture in dim grey, with pixels of another colour in magenta and those of other decisions only in yellow.
 Image difference_image(const Image& image, const std::vector<DifferingPixel>& pixels);
 
-/// The first decision of a pixel on which two methods part.
+/// The first decision of a pixel in which two methods differ.
 struct Parting {
   RayKind kind;
-  Probe probe;  ///< the first method's
-  /// A face on which the methods' answers to this probe differ; empty if they agree on every face and part only about
-  /// which hit comes first, or because they were asked about rays that start at different points.
+  Probe probe;  ///< the first method's probe
+  /// A face on which the methods' answers to this probe differ. Empty if they agree on every face, and differ only in
+  /// which hit comes first, or because their rays start at different points.
   std::optional<std::uint32_t> face;
-  bool other_start;  ///< the second method was asked about another ray: one start is proved, the other customary
+  bool other_start;  ///< the second method's ray starts elsewhere: one start is proved, the other customary
 };
 
-/// Traces the pixel with both methods. Empty if they agree after all.
+/// Traces the pixel with both methods and returns their first difference; empty if there is none.
 ///
-/// Up to the first different outcome both met the same faces, since all else is shared arithmetic; but secondary rays
-/// of an exact and an inexact method start at slightly different points (departure.h).
+/// Up to their first different decision both hit the same faces, since all else is shared arithmetic; but secondary
+/// rays of an exact and of an inexact method start at slightly different points (departure.h).
 std::optional<Parting> parting_at(const World& world, const Method& a, const Method& b, const DifferingPixel& pixel,
                                   int depth);
 

@@ -13,9 +13,9 @@
 namespace tribunal {
 namespace {
 
-constexpr int tile_side = 16;  ///< pixels; neighbours visit the same boxes
+constexpr int tile_side = 16;  ///< pixels on a side of a tile, of which the rays visit much the same boxes
 
-/// The picture in squares, row by row of them.
+/// The picture cut into square tiles, in row order.
 struct Tiles {
   int width, height;
 

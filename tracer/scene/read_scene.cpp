@@ -38,7 +38,7 @@ Point3 point_at(const Json& object, const char* key, const Where& where) {
   return to_point(require(object, key, where), Format::binary64, where.key(key));
 }
 
-/// Reads an optional number into its default.
+/// Reads a number into x, if the object has it; else x keeps its default.
 void read_number(const Json& object, const char* key, double lo, double hi, double& x, const Where& where) {
   if (object.contains(key)) x = number_in(object.at(key), lo, hi, where.key(key));
 }
@@ -70,19 +70,20 @@ const Json& array_at(const Json& object, const char* key, const Where& where) {
 
 // --- camera ----------------------------------------------------------------------------------------------------
 
-/// v divided by its greatest coordinate, so that no product below overflows or vanishes.
-Point3 tamed(const Point3& v) {
+/// v divided by the magnitude of its largest coordinate, so that no product below overflows or underflows.
+Point3 scaled_to_one(const Point3& v) {
   const double size = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
   return size > 0 ? Point3(v.x / size, v.y / size, v.z / size) : v;
 }
 
-/// A frame is built from the cross product of view and up; closer to parallel than 2⁻⁴⁰ it would be noise.
+/// Refuses a camera whose view and up are parallel up to 2⁻⁴⁰: their cross product, from which the frame is built,
+/// would be mostly rounding error.
 void require_frame(const Camera& c, const Where& where) {
   const Point3 view = c.look_at - c.eye;
   if (!is_finite(view)) where.fail("eye and look_at are too far apart");
   if (view == Point3(0)) where.fail("singular camera: expected look_at to differ from eye");
   if (c.up == Point3(0)) where.key("up").fail("singular camera: expected a direction, found [0,0,0]");
-  const Point3 v = tamed(view), u = tamed(c.up);
+  const Point3 v = scaled_to_one(view), u = scaled_to_one(c.up);
   if (glm::length(glm::cross(v, u)) <= 0x1p-40 * glm::length(v) * glm::length(u)) {
     where.key("up").fail("singular camera: expected a direction that is not parallel to the view");
   }
@@ -131,7 +132,7 @@ std::vector<std::uint32_t> to_ring(const Json& value, std::size_t vertices, cons
   return ring;
 }
 
-/// A ring, or a list of rings: the outer one and the holes.
+/// Reads a face: a ring, or a list of rings, of which the first is the outer one and the others are holes.
 Rings to_face(const Json& value, std::size_t vertices, const Where& where) {
   if (!value.is_array() || value.empty() || !value[0].is_array()) return {to_ring(value, vertices, where)};
   Rings face;
@@ -139,7 +140,7 @@ Rings to_face(const Json& value, std::size_t vertices, const Where& where) {
   return face;
 }
 
-/// "vertices" and "faces", of a scene's solid or a file in data/solids.
+/// Reads "vertices" and "faces", of a solid in a scene or of a file in data/solids.
 Mesh to_solid_mesh(const Json& object, const Where& where) {
   Mesh mesh;
   const Json& vertices = array_at(object, "vertices", where);
@@ -192,7 +193,8 @@ Point3 scale_of(const Json& object, const Where& where) {
   return s;
 }
 
-/// Scales, then translates. A mirroring turns the faces over, so that their normals keep pointing outward.
+/// Scales the mesh, then translates it. If the scaling mirrors it, the faces are reversed, so that their normals keep
+/// pointing outward.
 void place(const Json& object, Mesh& mesh, const Where& where) {
   const Point3 scale = scale_of(object, where);
   const Point3 shift = object.contains("translate") ? point_at(object, "translate", where) : Point3(0);
@@ -235,7 +237,7 @@ Solid to_solid(const Json& object, std::size_t number, const Where& where) {
   return s;
 }
 
-/// {"x": [lo, hi], …}: any of the three axes.
+/// Reads flaps from {"x": [lo, hi], …} with any of the three axes.
 Flaps to_flaps(const Json& object, const Where& where) {
   require_keys(object, {"x", "y", "z"}, where);
   Flaps flaps;

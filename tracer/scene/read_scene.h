@@ -13,9 +13,8 @@
 //     "name"                   text (optional; "solid N" otherwise)
 //     "mesh"                   path of an .off, .obj, .ply or .stl file, relative to the scene file; or
 //     "solid"                  path of a solid, a JSON object with "description", "vertices" and "faces"; or instead
-//     "vertices", "faces"      inline: array of points; array of faces, each a ring of at least 3 vertex indices from
-//     0,
-//                              or an array of such rings: the outer one and the holes
+//     "vertices", "faces"      inline: array of points; array of faces, each a ring of at least 3 vertex indices
+//                              from 0, or an array of such rings: the outer one and the holes
 //     "scale"                  number ≠ 0, or three of them, applied first (optional)
 //     "translate"              point, added after scaling (optional); each operation rounds once to binary64
 //     "colour"                 0..1 each (0.8, 0.8, 0.8)
@@ -24,7 +23,7 @@
 //     "refractive_index"       > 0 (1), of the inside
 //   "lights"       array (optional); each an object:
 //     "position", "colour"     a point; 0 or more each (white)
-//     "aim"                    the point that it shines at (all directions alike); only with it:
+//     "aim"                    the point that it shines at (none: equally in all directions); only with it:
 //     "concentration"          exponent of the cosine of the angle to the aim, 0..10000 (0)
 //     "cone"                   half angle beyond which there is no light, degrees (180)
 //     "flaps"                  {"x": [lo, hi], …}: only points between these planes are lit (everywhere)
@@ -41,8 +40,8 @@
 
 namespace tribunal {
 
-/// The scene in this file, complete with its meshes. Fails with Exit::bad_input and one line: with a line number for
-/// text that is not JSON, with the place in the object (`scene.json: solids[1].colour: …`) for the rest.
+/// Reads the scene in this file and its meshes. Fails with Exit::bad_input and a message of one line, which names the
+/// line of text that is not JSON, or else the place in the object (`scene.json: solids[1].colour: …`).
 Scene read_scene(const std::string& path);
 
 /// The same from text; meshes are looked for relative to `path`.

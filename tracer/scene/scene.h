@@ -32,7 +32,8 @@ struct Solid {
   Material material;
 };
 
-/// What lies between two planes that face an axis: a pair of flaps. Unbounded where not given.
+/// Pairs of flaps: on each axis, only points between two planes at right angles to it are lit. Unbounded where not
+/// given.
 struct Flaps {
   Point3 lo{-std::numeric_limits<double>::infinity()};
   Point3 hi{std::numeric_limits<double>::infinity()};
@@ -44,20 +45,20 @@ struct Flaps {
 struct Light {
   Point3 position;
   Colour colour;
-  std::optional<Point3> aim{};  ///< a point that it shines at; none: all directions alike
+  std::optional<Point3> aim{};  ///< the point that it shines at; if none, it shines equally in all directions
   double concentration = 0;     ///< exponent ≥ 0
   double cone_cosine = -1;      ///< cosine of the cone's half angle; −1 for no cone
   Flaps flaps{};
 };
 
 struct Scene {
-  std::string file;  ///< where it was read from, for messages
+  std::string file;  ///< the file that it was read from, for messages
   Camera camera;
   std::vector<Solid> solids;
   std::vector<Light> lights;
   Colour background;
   int depth = 4;          ///< generations of rays: 1 = primary rays and their shadow rays only
-  double bias = 0x1p-16;  ///< of inexact methods, see tracer/shading/departure.h
+  double bias = 0x1p-16;  ///< relative step of inexact methods' secondary rays, see tracer/shading/departure.h
 };
 
 }  // namespace tribunal

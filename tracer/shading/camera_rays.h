@@ -30,10 +30,11 @@ class CameraRays {
   int width_, height_;
 };
 
-/// x to the power e, x ≥ 0, e ≥ 0: for whole exponents by multiplications alone, so that no library's rounding shows.
+/// x to the power e, for x ≥ 0, e ≥ 0. Whole exponents take multiplications alone, so that the result does not depend
+/// on the math library.
 double power(double x, double e);
 
-/// The same where the square of the length leaves the range of doubles.
+/// `normalised` for vectors of which the squared length overflows or underflows.
 Point3 normalised_far_from_one(const Point3& v);
 
 /// v / |v|, without overflow or underflow on the way; the zero vector stays.

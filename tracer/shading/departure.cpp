@@ -18,7 +18,7 @@ bool is_finite_target(const Direction& d) { return is_finite(d.v); }
 
 }  // namespace
 
-/// The exact side of the face's plane on which a point lies, or to which a direction leads; 0 if that is not finite.
+/// The exact side of the face's plane on which a point lies, or to which a direction leads; 0 if x is not finite.
 template <class X>
 int Departures::side_of(std::uint32_t face, const X& x) {
   const KnownFace& known = faces_[face];
@@ -36,7 +36,8 @@ double Departures::smallest_step(const HitPoint& at) const {
   return roundoff * std::max(greatest(at.origin), greatest(at.point));
 }
 
-/// Back from the hit by the k-th step; nothing where that is too far.
+/// The k-th candidate on the near side: the rounded hit point moved back along the ray by 2^k smallest steps. None if
+/// that is beyond the origin.
 std::optional<Point3> Departures::near_candidate(const HitPoint& at, int k) const {
   const Point3 back = at.origin - at.point;
   const double length = greatest(back), step = k == 0 ? smallest_step(at) : std::ldexp(smallest_step(at), k);
@@ -44,8 +45,9 @@ std::optional<Point3> Departures::near_candidate(const HitPoint& at, int k) cons
   return in_format(at.point + (step / length) * back, world_.format);
 }
 
-/// From the origin. Neither the face that was hit matters, if the candidate lies on the origin's side of it, nor the
-/// one that the ray left behind, if the candidate does so too.
+/// Makes q the query whether the segment from the origin to the candidate meets a face. Excluded are the face that
+/// was hit, since the caller checks that the candidate lies on the origin's side of it, and the face that the ray
+/// left behind if the candidate lies on the ray's side of that one.
 void Departures::lead_to(const Point3& candidate, const HitPoint& at, SegmentQuestion& q) {
   const Behind& b = at.behind;
   const bool stays = b.face != no_face && side_of(b.face, candidate) == b.side;
@@ -64,7 +66,7 @@ bool Departures::is_near_start(const HitPoint& at, const Point3& candidate, int 
   return !visibility_.meets_any(q.way, q.excluded);
 }
 
-/// From the k-th candidate on, one by one; the origin is the last.
+/// Tries the near candidates from the k-th on, one by one; the origin is the last.
 void Departures::search_near(NearQuestion& q, int side, int k) {
   const RayTally before = tally_;
   q.start.side = 0;
@@ -81,7 +83,7 @@ void Departures::search_near(NearQuestion& q, int side, int k) {
   q.cost += cost_between(before, tally_);
 }
 
-/// The first candidate, if it is to be asked about.
+/// Sets the start to the first candidate; false if there is none on the origin's side of the face.
 bool Departures::propose_near(NearQuestion& q) {
   q.start.side = side_of(q.at->face, q.at->origin);
   if (q.start.side == 0) return false;
@@ -91,7 +93,7 @@ bool Departures::propose_near(NearQuestion& q) {
   return true;
 }
 
-/// All first candidates are asked together; who needs another goes on alone.
+/// The first candidates of all hits are tested together; where one fails, the further ones are tried one by one.
 void Departures::near_sides(std::span<NearQuestion> questions) {
   tally_.starts += questions.size();
   if (!proves_) {
@@ -131,7 +133,8 @@ Behind Departures::left_behind(const HitPoint& at, const Start& start, const X& 
 template Behind Departures::left_behind(const HitPoint&, const Start&, const Point3&);
 template Behind Departures::left_behind(const HitPoint&, const Start&, const Direction&);
 
-/// Behind the hit by the step of `shifts` k, straight or shifted along the face.
+/// The k-th candidate beyond the face: five for each step length, one straight behind the rounded hit point and four
+/// that are also shifted along the face.
 Point3 Departures::far_candidate(const HitPoint& at, int k) const {
   const double step = std::ldexp(smallest_step(at), k / 5);
   Point3 shift(0);
@@ -152,7 +155,7 @@ bool Departures::is_far_start(const HitPoint& at, const Point3& near, const Poin
   return !visibility_.meets_any(way, {at.face, no_face}) && visibility_.passes_through(way, at.face);
 }
 
-/// From the k-th candidate on, one by one.
+/// Tries the far candidates from the k-th on, one by one.
 void Departures::search_far(FarQuestion& q, int side, int k) {
   const RayTally before = tally_;
   q.start = {};

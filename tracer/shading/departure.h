@@ -1,4 +1,4 @@
-// Where secondary rays start.
+// Where secondary rays start: origins that are proved to lie on the right side of the surface that was hit.
 //
 // A hit is known exactly, but its point rarely is a double. Whoever starts a shadow or reflected ray at the rounded
 // point starts on the wrong side of the surface half of the time; the usual remedy is a constant step along the normal,
@@ -36,7 +36,8 @@
 
 namespace tribunal {
 
-/// A face that a ray leaves behind: the ray starts and runs strictly on one side of its plane, whose sign this is.
+/// An excluded face: the ray starts and runs strictly on one side of its plane, so it cannot meet the face. `side` is
+/// the sign of that side.
 struct Behind {
   std::uint32_t face = no_face;
   int side = 0;
@@ -44,26 +45,26 @@ struct Behind {
 
 /// A hit from which rays may depart. `point` is rounded; `normal` is a unit vector on the side of the viewer.
 struct HitPoint {
-  Point3 origin;  ///< of the ray that hit
+  Point3 origin;  ///< the origin of the ray that hit the face
   std::uint32_t face;
   Point3 point, normal;
-  Behind behind{};  ///< by that ray
+  Behind behind{};  ///< the excluded face of that ray
 };
 
-/// A start on one side of a face.
+/// The start of a secondary ray, on one side of the face that was hit.
 struct Start {
   Point3 point;
-  int side = 0;  ///< where it is proved: the sign of orient3d(a, b, c, point), not zero; else 0
+  int side = 0;  ///< if the start is proved, the sign of orient3d(a, b, c, point), not zero; else 0
 };
 
-/// Where a ray may depart on the side from which the face was hit, and what it cost to know.
+/// The query for a start on the side from which the face was hit, its answer, and what the answer cost.
 struct NearQuestion {
   const HitPoint* at = nullptr;
   Start start{};
   Cost cost{};
 };
 
-/// Where it may depart beyond the face. `near` is the answer to the other question.
+/// The query for a start beyond the face. `near` is the start that was found on the side from which it was hit.
 struct FarQuestion {
   const HitPoint* at = nullptr;
   Start near;
@@ -81,19 +82,19 @@ class Departures {
         faces_(faces),
         tally_(tally) {}
 
-  /// On the side of the origin. Adds what that cost.
+  /// Finds starts on the side from which the faces were hit, and adds to each query's cost.
   void near_sides(std::span<NearQuestion> questions);
 
-  /// Beyond the face.
+  /// Finds starts beyond the faces that were hit, and adds to each query's cost.
   void far_sides(std::span<FarQuestion> questions);
 
-  /// The same of one.
+  /// The same for a single hit.
   Start near_side(const HitPoint& at);
   Start far_side(const HitPoint& at, const Start& near);
 
-  /// The face itself, if a probe from a proved start to a point, or in a direction, stays strictly on the start's side
-  /// of its plane, and so cannot meet it; else none. Without it each shadow ray would put the question that is
-  /// hardest for a filter: whether a point one rounding off a plane lies on it.
+  /// The face that was hit, as an excluded face, if the probe from the start to `target` (a point or a direction)
+  /// stays strictly on the start's side of its plane; else no face. Without this, each shadow ray would be tested
+  /// against the face that it starts next to, for which the filter fails most often.
   template <class X>
   Behind left_behind(const HitPoint& at, const Start& start, const X& target);
 
@@ -116,8 +117,8 @@ class Departures {
   Visibility& visibility_;
   KnownFaces& faces_;
   RayTally& tally_;
-  std::vector<SegmentQuestion> ways_;  ///< to first candidates
-  std::vector<NearQuestion*> askers_;  ///< whose
+  std::vector<SegmentQuestion> ways_;  ///< segments to the first candidates
+  std::vector<NearQuestion*> askers_;  ///< the queries for which these are tested, in the order of ways_
 };
 
 }  // namespace tribunal

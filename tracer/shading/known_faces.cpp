@@ -6,7 +6,8 @@ namespace tribunal {
 
 namespace {
 
-/// The edges are normalised first where their product may leave the range of doubles.
+/// The unit normal of a triangle. Where the product of the edges may overflow or underflow, they are normalised
+/// first.
 Point3 normal_of(const Triangle& t) {
   const Point3 normal = glm::cross(t.b - t.a, t.c - t.a);
   const double square = glm::dot(normal, normal);
@@ -16,7 +17,7 @@ Point3 normal_of(const Triangle& t) {
 
 }  // namespace
 
-void KnownFaces::meet(KnownFace& face, std::uint32_t id) const {
+void KnownFaces::fill(KnownFace& face, std::uint32_t id) const {
   face.id = id;
   face.triangle = world_.triangles[id];
   face.box = world_.box(id);

@@ -1,4 +1,4 @@
-// What shading asks of the faces that rays hit, kept for the next ray: neighbours hit the same ones.
+// What shading needs of the faces that rays hit, cached since neighbouring rays hit the same faces.
 #pragma once
 
 #include <array>
@@ -11,31 +11,31 @@ namespace tribunal {
 
 using namespace detail;
 
-/// Nobody's id.
+/// The id of no face.
 inline constexpr std::uint32_t no_face = ~std::uint32_t{0};
 
 struct KnownFace {
   std::uint32_t id = no_face;
   Triangle triangle;  ///< the face, or one in its plane
-  Box box;            ///< of the face
-  Point3 normal;      ///< of unit length, sees the corners counter-clockwise; zero for a face that rounds to no area
+  Box box;            ///< the box of the face
+  Point3 normal;  ///< of unit length, on the side that sees the vertices counterclockwise; 0 if the rounded area is 0
   const Material* material;
   PlaneFilter plane{Triangle{}};
 };
 
-/// The faces asked for of late, by the last bits of their ids. One object a thread.
+/// A cache of faces, indexed by the last bits of their ids. Not thread-safe: one object per thread.
 class KnownFaces {
  public:
   explicit KnownFaces(const World& world) : world_(world) {}
 
   const KnownFace& operator[](std::uint32_t id) {
     KnownFace& face = faces_[id % faces_.size()];
-    if (face.id != id) meet(face, id);
+    if (face.id != id) fill(face, id);
     return face;
   }
 
  private:
-  void meet(KnownFace& face, std::uint32_t id) const;
+  void fill(KnownFace& face, std::uint32_t id) const;
 
   const World& world_;
   std::array<KnownFace, 64> faces_;

@@ -64,27 +64,28 @@ Answer Visibility::ask_counted(const P& probe, std::uint32_t id, std::uint32_t e
   return answer;
 }
 
-/// Of tests that the lanes decided.
+/// Counts tests of triangles that the filter decided on the vector lanes.
 void Visibility::count_certain(std::uint64_t tests, std::uint64_t hits) {
   tally_.triangle_tests += tests;
   tally_.triangle_hits += hits;
   tally_.by_stage[static_cast<std::size_t>(Stage::filter)] += tests;
 }
 
-/// Of two hits, as the method has it: the sign of t − other's t.
+/// The order of two hits by the method: the sign of the t of `id` minus the t of `other`.
 Sign Visibility::order(const Ray& ray, std::uint32_t id, std::uint32_t other) const {
   const Triangle s = world_.triangles[id], t = world_.triangles[other];
   return method_.compare_hits ? method_.compare_hits(ray, s, t) : sign_of(parameter(ray, s) - parameter(ray, t));
 }
 
-/// The method's own parameter of a hit, if it yields one; else that of shading.
+/// The parameter of a hit by the method, if it computes one; else shading_parameter.
 double Visibility::parameter(const Ray& ray, const Triangle& t) const {
   const std::optional<double> own = method_.parameter ? method_.parameter(ray, t) : std::nullopt;
   return own ? *own : shading_parameter(ray, t);
 }
 
-/// Answers all questions: eight at a time if the method's filter runs on lanes, those of which it is not certain alone.
-/// together(packet, questions) answers those of the lanes that it returns, alone(question) one.
+/// Answers all queries: in packets of eight if the method's filter runs on vector lanes, and one by one where the
+/// packet is not certain. together(packet, questions) answers some and returns their lanes; alone(question) answers
+/// one.
 template <class Question, class Together, class Alone>
 void Visibility::answer(std::span<Question> questions, const Together& together, const Alone& alone) {
   const auto ask_alone = [&](Question& q) {
@@ -107,7 +108,7 @@ void Visibility::answer(std::span<Question> questions, const Together& together,
   }
 }
 
-/// What the filter decided for all lanes.
+/// Adds the counts of a packet to the tally.
 void Visibility::count_packet(const PacketAnswer& a) {
   tally_.box_tests += a.boxes;
   tally_.triangle_tests += a.triangle_tests;
@@ -178,8 +179,9 @@ std::optional<std::uint32_t> Visibility::first_in_list(const Ray& ray, std::uint
   return best;
 }
 
-/// Whether a face of which the lanes could not tell is worth a question: always of a method that filters, which answers
-/// at the price of a box; else the probe must meet its own box by the limit, since the leaf's is that of up to eight.
+/// Whether the method is to test a candidate. Always, if the method filters, since its test costs as little as a box
+/// test. Else only if the probe enters the face's own box at t ≤ limit, since the box of the leaf holds up to eight
+/// faces.
 template <class P>
 bool Visibility::is_worth_asking(const P& probe, double limit, std::uint32_t id, RayTally& tally) const {
   if (filters_) return true;
@@ -188,7 +190,7 @@ bool Visibility::is_worth_asking(const P& probe, double limit, std::uint32_t id,
   return !span.empty() && span.first <= limit;
 }
 
-/// Says what the walk along a ray does not know.
+/// The judge of ClosestQuery: the method itself.
 struct Visibility::Judge {
   Visibility& eye;
   const Ray& ray;
@@ -222,7 +224,7 @@ std::optional<std::uint32_t> Visibility::first_in_tree(const Ray& ray, std::uint
 
 namespace {
 
-/// Passes findings on, by id, to those who want them.
+/// The judge of AnyQuery that passes ids on: certain hits to `hit`, uncertain candidates to `other`.
 template <class Hit, class Other>
 struct PassOn {
   const Hit& hit;
@@ -271,12 +273,12 @@ bool Visibility::meets_any(const Segment& way, std::array<std::uint32_t, 2> excl
   if (!is_finite(way)) return true;
   RayTally uncounted;
   bool met = false;
-  std::uint64_t told = 0;
-  const auto matters = [&](std::uint32_t id) { return ++told, id != excluded[0] && id != excluded[1]; };
+  std::uint64_t tests = 0;
+  const auto matters = [&](std::uint32_t id) { return ++tests, id != excluded[0] && id != excluded[1]; };
   const std::uint64_t missed = along(
       way, uncounted, [&](std::uint32_t id) { return met = matters(id); },
       [&](std::uint32_t id) { return met = matters(id) && is_visible_hit(ask(way, id)); });
-  tally_.start_tests += told + missed;
+  tally_.start_tests += tests + missed;
   return met;
 }
 

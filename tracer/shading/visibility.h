@@ -1,4 +1,4 @@
-// The two questions that a ray tracer asks, answered by the method on trial and by nothing else.
+// The two queries of a ray tracer, the closest face and any face, answered by the method on trial alone.
 #pragma once
 
 #include <optional>
@@ -12,65 +12,68 @@
 
 namespace tribunal {
 
-/// One answer to one of the questions: what differs between two methods' images differs here first.
+/// The answer to one query of the tracer. If the images of two methods differ, their decisions differ first.
 struct Decision {
   RayKind kind;
   Probe probe;
   std::int64_t outcome;  ///< the primitive hit, −1 for none; for shadow rays 1 if blocked, 0 if not
 };
 
-/// The paper's reading of an answer: a face seen edge-on is not hit, and neither is one without area.
+/// Whether an answer is a hit in the tracer's reading, which is that of the paper: a face seen edge-on is not hit,
+/// and neither is one without area.
 inline bool is_visible_hit(const Answer& a) {
   return a.status == Status::ok && a.hit && a.contact != Contact::coplanar;
 }
 
-/// A hit that blocks the light: 0 < t < 1, as far as the method can tell. A surface through the light itself or
+/// Whether a hit blocks the light: 0 < t < 1, if the method says which end is met. A surface through the light or
 /// through the start of the shadow ray does not block.
 inline bool is_blocking_hit(const Answer& a) { return is_visible_hit(a) && a.at != At::source && a.at != At::target; }
 
-/// Which face a ray meets first, and what it cost to know.
+/// The query for the closest face on a ray, its answer, and what the answer cost.
 struct RayQuestion {
   Ray ray;
   std::uint32_t excluded =
-      no_face;  ///< a face that the caller knows the ray not to meet: it counts as asked, but is not
+      no_face;  ///< the excluded face; its test is skipped, but counts as one that the filter decided
   std::optional<std::uint32_t> face{};
   Cost cost{};
 };
 
-/// Whether a segment meets any face, and what it cost to know.
+/// The query whether a segment meets any face, its answer, and what the answer cost.
 struct SegmentQuestion {
   Segment way;
-  /// Faces that are known not to be met; of `met` also faces that do not matter. `blocked` looks at the first alone.
+  /// Excluded faces: those that the segment is known not to meet, and for Visibility::met also those that are to be
+  /// ignored. Visibility::blocked uses the first alone.
   std::array<std::uint32_t, 2> excluded{no_face, no_face};
   bool met = false;
   Cost cost{};
 };
 
-/// One method looking at a world. One object a thread; counts into the caller's tally. Prepares every polygon.
+/// Answers the queries of the tracer by one method in one world. Not thread-safe: one object per thread, which counts
+/// into the caller's tally. Prepares every polygon.
 ///
-/// Which faces are asked depends on the world's acceleration; the answers do not. In mode `bvh` a method whose filter
-/// runs on vector lanes is asked only of faces of which those are not certain; the certain ones count as tests that the
-/// filter decided.
+/// Which faces are tested depends on the world's acceleration; the answers do not. If the method's filter runs on
+/// vector lanes, then in mode `bvh` the method tests only faces for which the filter fails there; the other tests
+/// count as decided by the filter.
 class Visibility {
  public:
   Visibility(const World& world, const Method& method, RayTally& tally);
 
-  /// The first face on each ray: smallest t by the method's own order of hits (by its t if it has none, else by t in
-  /// double), ties by lowest primitive id. A ray that overflowed hits nothing.
+  /// The first face on each ray: the one with the smallest t by the method's order of hits, or by its t if it has no
+  /// such order, or else by t in double. Equal hits: the lowest id. A ray that is not finite hits nothing.
   ///
-  /// The tree is pruned by a proved bound: a face that is exactly hit lies in its box, so t is at most the upper
-  /// end of the ray's span in that box; boxes whose span begins later hold only later hits. Only an inexact method
+  /// The tree is pruned by a proved bound: a face that is exactly hit lies in its box, so t is at most the upper end
+  /// of the ray's span in that box, and boxes that the ray enters later hold only later hits. Only an inexact method
   /// that reports hits outside a face's box can answer differently with and without a tree.
   void first_hits(std::span<RayQuestion> questions);
 
-  /// Whether something blocks the light on its way.
+  /// Finds for each segment, from the start of a shadow ray to a light, whether a face blocks it.
   void blocked(std::span<SegmentQuestion> questions);
 
-  /// Whether a closed segment, ends included, meets any face. Counted as start_tests. A segment that is not finite
-  /// meets one.
+  /// Finds for each closed segment whether it meets any face. The tests count as start_tests. A segment that is not
+  /// finite counts as one that meets a face.
   void met(std::span<SegmentQuestion> questions);
 
-  /// The same of one.
+  /// The same for a single probe.
   std::optional<std::uint32_t> first_hit(const Ray& ray, std::uint32_t excluded = no_face);
   bool is_blocked(const Segment& way, std::uint32_t excluded = no_face);
   bool meets_any(const Segment& way, std::array<std::uint32_t, 2> excluded);
@@ -79,7 +82,7 @@ class Visibility {
   /// start_test.
   bool passes_through(const Segment& way, std::uint32_t id);
 
-  /// Whether the method counts this face as a hit of this probe, as the tracer reads it.
+  /// Whether the probe hits this face by the method's answer, in the tracer's reading.
   bool sees(const Probe& probe, std::uint32_t id) const;
 
   const World& world() const { return world_; }
@@ -97,8 +100,8 @@ class Visibility {
   std::optional<std::uint32_t> first_in_tree(const Ray& ray, std::uint32_t excluded);
   std::optional<std::uint32_t> first_in_list(const Ray& ray, std::uint32_t excluded);
 
-  /// Calls hit(id) for all hits on a segment, and other(id) for faces that are to be asked, until one returns true.
-  /// Returns how many triangles were certainly missed.
+  /// Calls hit(id) for faces that the segment certainly hits, and other(id) for those that the method must test,
+  /// until one of the calls returns true. Returns how many triangles were certainly missed.
   template <class Hit, class Other>
   std::uint64_t along(const Segment& way, RayTally& tally, const Hit& hit, const Other& other);
 
@@ -118,7 +121,7 @@ class Visibility {
   const bool filters_;  ///< the method's filter runs on the tree's lanes
   RayTally& tally_;
   std::vector<PreparedPolygon> prepared_;
-  std::vector<FilteredPolygon> filtered_;  ///< instead, if it filters
+  std::vector<FilteredPolygon> filtered_;  ///< in place of prepared_, if the method filters
   std::vector<PolygonFigures> figures_;
   BoxedFaces::Waiting waiting_;
 };

@@ -5,7 +5,7 @@
 
 namespace tribunal {
 
-/// A light made ready for many points.
+/// A light with what is computed once for all points that it shines on.
 class WarnLight {
  public:
   explicit WarnLight(const Light& light);
@@ -19,7 +19,7 @@ class WarnLight {
 
  private:
   const Light* light_;
-  Point3 axis_{};  ///< of unit length, towards the aim
+  Point3 axis_{};  ///< the unit vector towards the aim
 };
 
 }  // namespace tribunal

@@ -10,8 +10,8 @@
 namespace tribunal {
 namespace {
 
-/// The hit point is in the face's box, so the computed one is moved there; a parameter that is not a number (a
-/// method may report hits that no formula confirms) leads to the box's corner.
+/// The hit point by shading_parameter, clamped to the face's box, in which the exact one lies. A parameter that is
+/// NaN (a method may report hits that no formula confirms) gives a corner of the box.
 Point3 hit_point(const Ray& r, const Triangle& t, const Box& b) {
   const double parameter = shading_parameter(r, t);
   const Point3 p = r.o + parameter * r.d.v;
@@ -22,7 +22,7 @@ Point3 hit_point(const Ray& r, const Triangle& t, const Box& b) {
   return inside;
 }
 
-constexpr std::size_t most_paths = 1 << 16;  ///< a ray sends on two at most
+constexpr std::size_t most_paths = 1 << 16;  ///< the most paths of one batch; each hit leads to at most two more
 
 Point3 mirrored(const Point3& v, const Point3& normal) { return 2 * glm::dot(v, normal) * normal - v; }
 
@@ -113,7 +113,8 @@ void WhittedTracer::look_at(Path& p) {
   p.colour = face.material->ambient * face.material->colour;
 }
 
-/// Light by light, so that neighbours in the list look the same way.
+/// Lists the lights that may shine on the new surfaces, light by light, so that neighbours in the list have similar
+/// shadow rays.
 void WhittedTracer::find_shines(std::size_t begin) {
   shines_.clear();
   for (std::uint32_t l = 0; l < lights_.size(); ++l) {
@@ -136,7 +137,7 @@ void WhittedTracer::find_shines(std::size_t begin) {
   }
 }
 
-/// For the surfaces that light may reach, and for those that send rays on.
+/// Finds starts on the surfaces that a light may shine on and, if sends_on, on those that reflect or transmit light.
 void WhittedTracer::find_starts(std::size_t begin, bool sends_on) {
   starts_.clear();
   for (std::size_t i = begin; i < paths_.size(); ++i) {
@@ -184,7 +185,8 @@ Colour WhittedTracer::light_of(const Shine& s) const {
   return s.strength * colour;
 }
 
-/// Total internal reflection sends the refracted share back inside.
+/// Adds the reflected and refracted rays of the new surfaces. Under total internal reflection the refracted share is
+/// reflected.
 void WhittedTracer::send_on(std::size_t begin) {
   const std::size_t end = paths_.size();
   const auto reflect = [&](std::size_t i) {

@@ -6,7 +6,7 @@
 // differently somewhere, and at the first such place they were asked the same question.
 //
 // Rays are cast generation by generation: all primary rays of a tile, then their shadow rays, then all rays that these
-// surfaces send on, and so forth, since questions that are alike are cheaper together (visibility.h). The light is
+// surfaces send on, and so forth, since similar queries are cheaper together (visibility.h). The light is
 // gathered depth first, ray by ray, as the recursion would.
 //
 // Secondary rays start where departure.h says: proved right for exact methods, by the customary bias for others. So
@@ -20,7 +20,7 @@
 
 namespace tribunal {
 
-/// What a primary ray brought home.
+/// The result of tracing one primary ray.
 struct TracedPixel {
   Colour colour;            ///< light that arrives along it
   std::uint64_t decisions;  ///< a hash of the outcomes of all decisions
@@ -41,11 +41,11 @@ class WhittedTracer {
         log_(log) {}
   WhittedTracer(const WhittedTracer&) = delete;
 
-  /// Of each primary ray, with this many generations of rays. Keeps all rays of as many primaries as may send on up to
-  /// 2^16 of them (16 MB), or of one.
+  /// Traces each primary ray through this many generations of rays. Works on as many primary rays at once as may lead
+  /// to 2^16 rays in all (16 MB), and at least on one.
   void trace(std::span<const Ray> primaries, int depth, std::span<TracedPixel> pixels);
 
-  /// The same of one.
+  /// The same for a single ray.
   TracedPixel trace(const Ray& primary, int depth) {
     TracedPixel pixel;
     trace({&primary, 1}, depth, {&pixel, 1});
@@ -57,7 +57,7 @@ class WhittedTracer {
 
   /// A ray on its way, and what shading knows of the surface that it hit. `normal` faces the viewer.
   struct Path {
-    Path() {}  // what is not set here is set before it is looked at
+    Path() {}  // members without initialiser are set before they are read
 
     Ray ray;
     RayKind kind;
@@ -69,10 +69,10 @@ class WhittedTracer {
     bool from_outside = false, departs = false;
     Start near;  ///< on the viewer's side, if a ray departs
     Colour colour;
-    std::uint32_t reflected = nothing, refracted = nothing;  ///< paths that it sent on
+    std::uint32_t reflected = nothing, refracted = nothing;  ///< the paths of the rays that departed from the hit
   };
 
-  /// A light that shines on a surface unless something is in the way.
+  /// A light that shines on the surface that a path hit, unless a face blocks it.
   struct Shine {
     std::uint32_t path, light;
     Point3 to_light;
@@ -108,11 +108,11 @@ class WhittedTracer {
   std::vector<Decision>* log_;
   std::uint64_t hash_ = 0;
   std::span<TracedPixel> pixels_;
-  std::vector<Path> paths_;  ///< a generation after the other
+  std::vector<Path> paths_;  ///< all rays of the primaries at work, by generation
   std::vector<Shadow> shadows_;
   std::vector<Shine> shines_;
 
-  // Questions of the generation that is under way; kept for their room.
+  // Queries of the current generation; members, so that their memory is reused.
   std::vector<RayQuestion> rays_;
   std::vector<NearQuestion> starts_;
   std::vector<SegmentQuestion> ways_;

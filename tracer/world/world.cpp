@@ -17,8 +17,8 @@ Point3 area_vector(Ring ring) {
   return sum;
 }
 
-/// The largest triangle (o, pᵢ, pᵢ₊₁) of the outer ring, turned as the ring is: the best conditioned one to speak for
-/// the plane.
+/// A triangle that spans the polygon's plane: the largest triangle (o, pᵢ, pᵢ₊₁) of the outer ring, which is the best
+/// conditioned, with the ring's orientation.
 Triangle spanning_triangle(const PolygonData& polygon) {
   const Ring ring = Polygon(polygon).ring(0);
   Triangle best{ring[0], ring[0], ring[0]};
@@ -31,7 +31,8 @@ Triangle spanning_triangle(const PolygonData& polygon) {
   return best;
 }
 
-/// Exact. The triangle must have area, or the polygon does not count as planar: it is then hit nowhere, or not flat.
+/// Whether all vertices of the polygon lie exactly in the plane of t. False if t has no area: the
+/// polygon's triangles then take its place.
 bool lies_in_plane(const PolygonData& polygon, const Triangle& t) {
   const FilteredKernel k;
   const bool spans = std::any_of(std::begin(all_axes), std::end(all_axes),

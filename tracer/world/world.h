@@ -12,16 +12,17 @@ namespace tribunal {
 /// All faces of a scene in one list, in file order (of each solid the triangles first), and the boxes over them. The
 /// scene must outlive it.
 ///
-/// A face that is no triangle is a polygon here iff its vertices, as the world has them, lie in one plane exactly;
-/// otherwise its triangles are the surface, as they are of all faces if the world is made triangulated.
+/// A face that is no triangle becomes a polygon if its vertices, rounded to the world's format, lie exactly in one
+/// plane; otherwise, and for all faces of a world made triangulated, the triangles of its triangulation take its
+/// place.
 ///
-/// If a method that sees this world computes in binary32, the format is binary32: vertices are rounded once, here, and
-/// every probe before any method sees it. Two methods in comparison share one world, so no difference between them
-/// comes from the rounding of input.
+/// The format is binary32 if any method that uses this world computes in binary32: vertices are then rounded here,
+/// once, and every probe before any method gets it. Two methods that are compared share one world, so no difference
+/// between them comes from the rounding of input.
 struct World {
   const Scene* scene;
   Format format;
-  BoxedFaces triangles;  ///< of face i: itself, or three vertices of the polygon that span its plane; with the boxes
+  BoxedFaces triangles;  ///< of face i: the face itself, or three vertices that span the polygon's plane; and the boxes
   std::vector<std::uint32_t> solid_of;
   std::vector<std::int32_t> polygon_of;  ///< of face i: an index into polygons, −1 for triangles
   std::vector<PolygonData> polygons;

@@ -29,7 +29,7 @@ K::Point_2 in_plane(const Point3& p, Axis dropped) {
   return {x.u, x.v};
 }
 
-/// Edges run from ring vertex to ring vertex, and enclose.
+/// The constrained triangulation with all ring edges as constraints.
 Triangulation triangulate(const Polygon& polygon, Axis dropped) {
   Triangulation t;
   for (std::size_t r = 0; r < polygon.rings(); ++r) {
@@ -43,7 +43,7 @@ Triangulation triangulate(const Polygon& polygon, Axis dropped) {
   return t;
 }
 
-/// The faces from which an odd number of ring edges leads outside, found from the infinite face inward.
+/// The faces inside by the even–odd rule: those separated from the infinite face by an odd number of ring edges.
 std::vector<Face> inner_faces(const Triangulation& t) {
   std::map<Face, bool> inside{{t.infinite_face(), false}};
   std::deque<Face> waiting{t.infinite_face()};

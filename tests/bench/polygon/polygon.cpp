@@ -39,7 +39,8 @@ struct SfFiltered {
   static bool meets(const Prepared& p, const Segment& s) { return p.hits(s); }
 };
 
-/// The covering is prepared with exact signs: it is made once, and in double a plane would seldom be seen as one.
+/// Segura–Feito in double. The covering is prepared with exact signs, since in double few planar polygons would be
+/// recognised as planar.
 struct SfDouble {
   static constexpr const char* name = "sf_double";
   static constexpr bool exact = false;
@@ -118,7 +119,7 @@ struct SfRational {
   static bool meets(const Prepared& c, const Segment& s) { return segura_feito(s, c, RationalKernel{}).hit; }
 };
 
-/// Wrong answers by method, over all populations in general position, and on the boundary.
+/// Counts of wrong answers by method: over all populations in general position, and on the boundary.
 class Verdicts {
  public:
   void add(const std::string& method, std::size_t asked, std::size_t wrong) {
@@ -140,7 +141,8 @@ class Verdicts {
   std::vector<Row> rows_;
 };
 
-/// A method ready for a population, and the timing of it. `meets` is inlined into the loop where it can be.
+/// A method prepared for the polygons of a population, and its benchmark. `meets` is inlined into the timed loop
+/// where possible.
 template <class M>
 class Contender {
  public:
@@ -150,7 +152,7 @@ class Contender {
 
   std::string name() const { return population_.name() + "/" + M::name; }
 
-  /// An exact method that disagrees with the integers of the frame makes all times worthless.
+  /// Compares all answers with those known by integers; stops the program if an exact method is wrong.
   void judge(Verdicts& verdicts) const {
     std::size_t wrong = 0;
     for (std::size_t i = 0; i < probes_; ++i) {
@@ -185,7 +187,7 @@ class Contender {
 
 template <class M>
 void enter(const Population& population, Verdicts& verdicts, std::size_t probes = probes_each) {
-  static std::deque<Contender<M>> contenders;  // as long as the benchmarks
+  static std::deque<Contender<M>> contenders;  // lives as long as the benchmarks
   const Contender<M>& c = contenders.emplace_back(population, probes);
   c.judge(verdicts);
   benchmark::RegisterBenchmark(c.name().c_str(), [&c](benchmark::State& state) { c.time(state); });
@@ -241,7 +243,7 @@ void register_all() {
   std::printf("past the filter: %zu of %zu in general position\n", past, asked);
 }
 
-/// The fastest of the classical ways in double.
+/// The name of the fastest classical method in double.
 std::string best_classical(const Medians& m, const std::string& at, std::initializer_list<const char*> ways) {
   std::string best;
   for (const char* way : ways) {
@@ -284,7 +286,7 @@ void print_boundary_ratios(const Medians& m) {
   }
 }
 
-/// The slope between the two largest polygons: what one more vertex costs.
+/// Prints what one more vertex costs: the slope of the time between the two largest polygons.
 void print_growth(const Medians& m) {
   for (const char* method : {"sf_filtered", "sf_double", "sf_tuned", "haines_double", "haines_tuned", "feito_double"}) {
     const std::string few = std::string("hits_7/convex/n64/") + method,

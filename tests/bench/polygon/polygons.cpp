@@ -24,8 +24,8 @@ using FrameRing = std::vector<FramePoint>;
 
 double uniform(Draw& draw) { return std::ldexp(static_cast<double>(draw.next() >> 11), -53); }
 
-/// Integers: a rotation, rounded, and an offset. Images of frame points stay below 2⁵³, so they are exact; what is
-/// planar in the frame stays so.
+/// An affine map with integer entries: a rounded rotation and an offset. Images of frame points stay below 2⁵³, so
+/// they are exact; what is planar in the frame stays planar.
 struct Frame {
   std::array<std::array<std::int64_t, 3>, 3> m;
   FramePoint offset;
@@ -43,7 +43,8 @@ struct Frame {
 
 std::int64_t entry(double x) { return std::llround(std::ldexp(x, rotation_bits)); }
 
-/// By a random unit quaternion (Shoemake, "Uniform random rotations", Graphics Gems III, 1992).
+/// A random frame, rotated by a random unit quaternion (Shoemake, "Uniform random rotations", Graphics Gems III,
+/// 1992).
 Frame draw_frame(Draw& draw) {
   const double a = uniform(draw), b = 2 * M_PI * uniform(draw), c = 2 * M_PI * uniform(draw);
   const double x = std::sqrt(1 - a) * std::sin(b), y = std::sqrt(1 - a) * std::cos(b), z = std::sqrt(a) * std::sin(c),
@@ -146,7 +147,7 @@ FramePoint mirrored(Draw& draw, const FramePoint& p, const std::vector<FrameRing
   return {a[0] + b[0] - p[0], a[1] + b[1] - p[1], a[2] + b[2] - p[2]};
 }
 
-/// Whether a probe of that fate fits the i-th place of the mix. 37 is coprime to 100, so there are no runs.
+/// Whether a probe with this fate may be the i-th of the mix. Hits are spread evenly, since 37 is coprime to 100.
 bool fits(Fate fate, Mix mix, std::size_t i) {
   const std::size_t percent = i * 37 % 100;
   if (fate == Fate::degenerate) return false;

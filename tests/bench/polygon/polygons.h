@@ -9,8 +9,9 @@
 
 namespace tribunal::bench {
 
-/// convex: a ring around a circle; concave: a star, every other vertex drawn in (of four vertices, one);
-/// holed: half of the vertices are a convex hole in a convex ring; concave_holed: a quarter are one in a star.
+/// convex: a ring around a circle. concave: a star, with every other vertex moved inward (of four vertices, one).
+/// holed: half of the vertices are a convex hole in a convex ring. concave_holed: a quarter of them are a convex hole
+/// in a star.
 enum class Outline : std::uint8_t { convex, concave, holed, concave_holed };
 
 inline constexpr Outline all_outlines[] = {Outline::convex, Outline::concave, Outline::holed, Outline::concave_holed};

@@ -1,4 +1,5 @@
-// What sf-filtered is measured against: CGAL's own test without our guard, and a vectorised Möller–Trumbore.
+// What sf-filtered is measured against: CGAL's own test without checks of its operands, and a vectorised
+// Möller–Trumbore.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +9,7 @@
 
 namespace tribunal::bench {
 
-/// CGAL's do_intersect with its precondition checks compiled out. Neither operand may be degenerate.
+/// CGAL's do_intersect on EPICK, with its precondition checks compiled out. Neither operand may be degenerate.
 bool epick(const Segment& s, const Triangle& t);
 bool epeck(const Segment& s, const Triangle& t);
 

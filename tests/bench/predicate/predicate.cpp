@@ -85,7 +85,8 @@ bool runs_here(const VectorPeer& peer) {
   return std::find(here.begin(), here.end(), peer.name) != here.end();
 }
 
-/// Ours and the uncertified peer on each target of this machine, the widest first and under the plain name.
+/// Times our batch and the uncertified peer on each instruction set of this machine; the widest comes first and has
+/// the plain name.
 void time_batches(const std::string& population, const PairTable& table, bool one_against_many = false) {
   std::string suffix;
   for (const VectorPeer* peer : {&moeller_trumbore_avx512, &moeller_trumbore_avx2, &moeller_trumbore_portable}) {
@@ -159,7 +160,7 @@ void time_exact_peers(const std::string& population, const PairTable& table) {
   time_exact_kernels(population, table);
 }
 
-/// Lives as long as the benchmarks do.
+/// Stores a table that lives as long as the benchmarks do.
 const PairTable& kept(std::vector<Pair> pairs) {
   static std::deque<PairTable> tables;
   return tables.emplace_back(std::move(pairs));

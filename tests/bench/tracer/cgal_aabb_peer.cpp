@@ -1,4 +1,4 @@
-// At its fastest: without the checks that CGAL makes of its preconditions.
+// CGAL's AABB tree at its fastest: without the checks of its preconditions.
 #define CGAL_NDEBUG
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>

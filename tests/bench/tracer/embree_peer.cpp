@@ -8,7 +8,7 @@
 namespace tribunal::bench {
 namespace {
 
-/// Embree reports each allocation and release of its own.
+/// Embree's memory monitor: called for each allocation and, with negative bytes, each release.
 bool count_bytes(void* total, ssize_t bytes, bool) {
   *static_cast<std::int64_t*>(total) += bytes;
   return true;
@@ -74,7 +74,7 @@ class EmbreeCaster : public Caster {
     rtcReleaseGeometry(geometry);
   }
 
-  std::int64_t bytes_ = 0;  ///< first, as it outlives the device
+  std::int64_t bytes_ = 0;  ///< declared first, since the device still uses it when it is destroyed
   RTCDevice device_;
   RTCScene scene_ = nullptr;
   RTCIntersectContext context_{};

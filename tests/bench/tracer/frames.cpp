@@ -18,7 +18,7 @@ namespace {
 
 double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-/// A directory of its own, removed at the end.
+/// A temporary directory that the destructor removes.
 class Scratch {
  public:
   Scratch() : path_(std::filesystem::temp_directory_path() / ("tribunal-bench-" + std::to_string(::getpid()))) {
@@ -51,7 +51,7 @@ class Frame {
     return cpu_seconds() - start;
   }
 
-  /// The CPU seconds that POV-Ray says it spent on tracing; the last such line of its report.
+  /// The CPU seconds that POV-Ray spent on tracing, by the last such line of its report.
   std::optional<double> povray() const {
     const std::string command = "povray +I" + pov_ + " -F -D -A +WT1 +W" + std::to_string(scene_.camera.width) + " +H" +
                                 std::to_string(scene_.camera.height) + " 2>&1";

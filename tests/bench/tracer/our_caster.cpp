@@ -42,7 +42,7 @@ class InBatches : public OneByOne {
   }
 
  private:
-  static constexpr std::size_t call = 1024;  ///< rays in a call: so few that answers stay in the cache
+  static constexpr std::size_t call = 1024;  ///< rays in a call; so few that the answers stay in the cache
 };
 
 }  // namespace

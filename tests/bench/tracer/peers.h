@@ -1,4 +1,4 @@
-// Whoever finds the closest triangle on a ray, under one interface.
+// Programs that find the closest triangle on a ray, behind one interface.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace tribunal::bench {
 
-/// A mesh made ready for rays. One thread.
+/// A ray caster for one mesh, for use on a single thread.
 class Caster {
  public:
   virtual ~Caster() = default;

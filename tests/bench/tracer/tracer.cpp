@@ -5,7 +5,7 @@
 //
 // We trace rays one by one (`ours`) and many in a call (`ours_batch`), with equal answers. What the ratios are
 // of: `embree_*`: ours one by one over Embree's rtcIntersect1, like with like; `aabb_*`: our batch over CGAL's tree,
-// which has no such call, the rays being known beforehand; `embree_batch_*` and `aabb_single_*` the other way about.
+// which has no such call; `embree_batch_*` our batch over Embree; `aabb_single_*` ours one by one over CGAL's tree.
 #include <malloc.h>
 
 #include <algorithm>
@@ -73,7 +73,7 @@ std::vector<std::int64_t> answers(Caster& caster, const Population& population) 
   return hits;
 }
 
-/// Who answers otherwise than we do, exactly, and how often.
+/// Prints for each caster on how many rays its answers differ from ours, which are exact.
 void compare(const Subject& subject, const Population& population) {
   const std::vector<std::int64_t> exact = answers(*subject.casters[0], population);
   const auto hit = std::count_if(exact.begin(), exact.end(), [](std::int64_t id) { return id >= 0; });
@@ -107,7 +107,7 @@ void time_casters(const Subject& subject, const Population& population) {
   }
 }
 
-/// Whom we compare with whom; see above.
+/// A ratio to print; the head of this file says which.
 struct Comparison {
   const char *name, *peer, *ours;
 };

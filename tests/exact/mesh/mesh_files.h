@@ -62,7 +62,7 @@ inline std::string binary_ply(bool big, float zero = 0) {
   return bytes;
 }
 
-/// A text with the first occurrence of `from` replaced.
+/// The text with the first occurrence of `from` replaced by `to`.
 inline std::string edited(std::string text, const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);
   if (at == text.npos) throw std::logic_error("no \"" + from + "\" to replace");

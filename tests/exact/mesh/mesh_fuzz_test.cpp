@@ -75,7 +75,8 @@ constexpr std::string_view words[] = {"0",
 
 std::string_view drawn_word(Random& random) { return words[random.below(std::size(words))]; }
 
-/// One of: a byte anew, a bit turned, a part cut out or doubled, a word put in or over, the end cut off.
+/// Damages a file in one way: a byte replaced, a bit flipped, a part removed or repeated, a word inserted or written
+/// over, or the end cut off.
 void damage(std::string& bytes, Random& random) {
   const std::size_t kind = random.below(7);
   const std::size_t at = random.below(bytes.size() + 1);
@@ -104,7 +105,7 @@ void expect_whole(const PolygonSoup& soup) {
   for (std::size_t f = 0; f < soup.size(); ++f) ASSERT_GE(soup.face(f).size(), 3u);
 }
 
-/// One line that starts with the file's name.
+/// Expects a message of one line that starts with the file's name.
 void expect_refusal(const Failure& failure, const std::string& file) {
   const std::string line = failure.what();
   ASSERT_EQ(failure.exit(), Exit::bad_input) << line;
@@ -113,12 +114,13 @@ void expect_refusal(const Failure& failure, const std::string& file) {
   ASSERT_LT(line.size(), 300u) << line;
 }
 
-/// A vertex of 6 bytes takes 24, a face of 8 takes 16, a corner of 2 takes 4; growing doubles that and holds old and
-/// new at once; text for messages comes on top.
+/// The bytes that a reader may hold for a file of this size. A vertex of 6 bytes in the file takes 24 in memory, a
+/// face of 8 takes 16, a corner of 2 takes 4; growing arrays double that and hold the old and the new array at once;
+/// messages add to it.
 std::size_t memory_bound(std::size_t file_size) { return 16 * file_size + 4096; }
 
-/// Whether the file was accepted. Its bytes stand in a block of just their size, where the sanitizer sees any step
-/// beyond.
+/// Whether the reader accepts the file. The bytes are copied to a block of exactly their size, so that the sanitizer
+/// sees any access beyond them.
 bool reads(const std::string& file, const std::string& text) {
   const std::vector<char> block(text.begin(), text.end());
   const std::string_view bytes(block.data(), block.size());

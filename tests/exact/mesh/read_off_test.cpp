@@ -11,7 +11,7 @@ std::string off(const std::string& from, const std::string& to) { return edited(
 
 const std::vector<std::vector<std::uint32_t>> triangle = {{0, 1, 2}};
 
-/// All say the same triangle.
+/// All these files describe the same triangle.
 TEST(ReadOff, ReadsEveryDialect) {
   for (const char* bytes :
        {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2",

@@ -48,7 +48,7 @@ TEST(ReadStl, ReadsBinary) {
   EXPECT_EQ(read(binary_stl(4, 0x1p-149f)).points[0].x, 0x1p-149);
 }
 
-/// The header may say anything: solids, facets, text to its last byte.
+/// A file is binary by its size, whatever its header holds: the words of a text STL, or text to its last byte.
 TEST(ReadStl, TakesTheSizeForTheSignOfABinary) {
   for (std::string header : {"solid", "solid s\nfacet normal 0 0 1\n", "endsolid", "", "SOLID"}) {
     header.resize(80, header.size() % 2 ? ' ' : '\0');

@@ -21,7 +21,7 @@ struct Difference {
   const char* why;
 };
 
-/// Where the two do not both accept a file of libcgal-demo.
+/// The files of libcgal-demo that the two readers treat differently.
 const std::map<std::string, Difference> differences = {
     {"b9.ply", {Verdict::only_cgal_accepts, "a cloud of points: it announces 0 faces, and we ask for a mesh"}},
     {"prim.off", {Verdict::only_cgal_accepts, "a face beyond the announced 7: CGAL stops reading before it"}},
@@ -181,7 +181,7 @@ TEST(SecondOpinion, OnTheMeshesInOtherForms) {
   EXPECT_GT(both, 300u);
 }
 
-/// Files on which a reader could go astray, and what CGAL 5.5 makes of them.
+/// An unusual file, and how CGAL 5.5 reads it.
 struct Odd {
   const char* file;
   const char* what;

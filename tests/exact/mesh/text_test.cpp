@@ -13,7 +13,7 @@ namespace {
 
 const std::string file = "t";
 
-/// The tokens of each line that has some, with bars between the lines.
+/// All tokens of a text, with bars between the lines; lines without tokens are left out.
 std::string walked(std::string_view text, TextStyle style = {}) {
   Text in(file, text, style);
   std::string all;

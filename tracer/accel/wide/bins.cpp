@@ -5,7 +5,8 @@
 namespace tribunal {
 namespace {
 
-/// A side of a cut: its area by the leaves that it fills, since eight triangles cost as much as one.
+/// The cost of one side of a cut: its area times the number of leaves that it fills, since testing eight triangles
+/// costs as much as one.
 float cost(const FrameBox& box, std::uint32_t count) {
   return box.area() * static_cast<float>((count + leaf_size - 1) / leaf_size);
 }

@@ -15,7 +15,7 @@ using Float4 = float __attribute__((vector_size(16)));
 inline Float4 least(Float4 a, Float4 b) { return a < b ? a : b; }
 inline Float4 greatest(Float4 a, Float4 b) { return a > b ? a : b; }
 
-/// A box in the frame of a tree; empty until something is put in.
+/// A box in the frame of a tree; empty until something is added.
 struct FrameBox {
   static constexpr float infinity = std::numeric_limits<float>::infinity();
   Float4 lo{infinity, infinity, infinity, infinity};
@@ -47,7 +47,7 @@ struct BuildRef {
   Float4 centre() const { return box.lo + box.hi; }
 };
 
-/// What bounds a set of primitives, and what bounds their centres (twice).
+/// The bounding box of a set of primitives, and that of their centres, times two.
 struct Extent {
   FrameBox box, centres;
 
@@ -79,7 +79,8 @@ class Binning {
 
   bool splits(int axis) const { return scale_[axis] > 0; }
 
-  /// Below bin_count, as a product with a number that rounding cannot lift to it; not negative.
+  /// The bin of a primitive on this axis: never negative, and below bin_count, since rounding cannot lift the product
+  /// to it.
   int bin(const BuildRef& r, int axis) const {
     return static_cast<int>((r.centre()[axis] - origin_[axis]) * scale_[axis]);
   }
@@ -88,7 +89,7 @@ class Binning {
   Float4 origin_, scale_{};
 };
 
-/// Boxes and numbers of what fell into each bin of each axis.
+/// For each bin of each axis: the bounding box and the number of its primitives.
 struct Bins {
   std::array<std::array<FrameBox, bin_count>, 3> box;
   std::array<std::array<std::uint32_t, bin_count>, 3> count{};
@@ -96,8 +97,8 @@ struct Bins {
   void add(std::span<const BuildRef> refs, const Binning& binning);
   void add(const Bins& other);
 
-  /// The cheapest cut, the lowest axis and bin among equals: the areas of the two sides by the number of leaves that
-  /// they fill.
+  /// The cheapest cut; among equal costs, that of the lowest axis and bin. The cost is the sum over both sides of the
+  /// area of the box times the number of leaves that its primitives fill.
   Cut best(const Binning& binning) const;
 };
 

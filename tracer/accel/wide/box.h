@@ -30,7 +30,7 @@
 
 namespace tribunal {
 
-/// The closed box [lo, hi]; empty until something is put in.
+/// The closed box [lo, hi]; empty until something is added.
 struct Box {
   Point3 lo{std::numeric_limits<double>::infinity()};
   Point3 hi{-std::numeric_limits<double>::infinity()};

@@ -6,7 +6,7 @@
 
 namespace tribunal::HWY_NAMESPACE {
 
-/// As many binary32 numbers as boxes of a node, or fewer where the target has fewer lanes.
+/// A vector of as many binary32 numbers as a node has boxes, or fewer where the instruction set has fewer lanes.
 using BoxTag = hn::CappedTag<float, node_width>;
 using BoxVector = hn::Vec<BoxTag>;
 

@@ -17,10 +17,11 @@
 namespace tribunal {
 namespace {
 
-constexpr std::size_t worth_a_task = 4096;  ///< primitives; fixed, so that the tree does not depend on threads
+constexpr std::size_t worth_a_task = 4096;  ///< sets of fewer primitives are not split among threads
 constexpr float beyond = 0x1p100F;
 
-/// No subnormal number, and none whose products with reciprocals are: processors take 150 cycles more for those.
+/// A binary32 number at or below x that is neither subnormal itself nor so small that its products with reciprocals
+/// are: processors take 150 cycles more for subnormal numbers.
 float float_below(double x) {
   if (std::fabs(x) < 0x1p-100) return x < 0 ? -0x1p-100F : 0.0F;
   const float f = static_cast<float>(to_binary32(x));
@@ -64,7 +65,7 @@ using Nodes = std::vector<WideNode, LargePages<WideNode>>;
 struct Part {
   Refs refs;
   Extent extent;
-  std::uint32_t cuts = 0;  ///< that it came of
+  std::uint32_t cuts = 0;  ///< how many cuts led from the whole set to this part
 };
 
 Extent extent_of(Refs refs) {
@@ -73,7 +74,8 @@ Extent extent_of(Refs refs) {
   return e;
 }
 
-/// The same in parallel: least and greatest do not depend on the order.
+/// Sums over refs, in parallel if there are many. The result must not depend on the order, as that of least and
+/// greatest does not.
 template <class Sum, class Add, class Join>
 Sum summed(Refs refs, const Sum& zero, const Add& add, const Join& join) {
   if (refs.size() < 8 * worth_a_task) return add(refs, zero);
@@ -140,7 +142,7 @@ class WideBuilder {
     return reach;
   }
 
-  /// Where refs are parted so that the left side is cheap together with the right; nothing if no cut parts them.
+  /// Partitions the refs by the cheapest cut and returns the size of the left side; 0 if no cut separates them.
   static std::size_t part_by_cost(const Part& p) {
     const Binning binning(p.extent.centres);
     const Bins bins = summed(
@@ -160,7 +162,8 @@ class WideBuilder {
     return static_cast<std::size_t>(middle - p.refs.begin());
   }
 
-  /// In the middle, along the longest extent of the centres; ids break ties.
+  /// Halves the refs by number, along the axis on which the centres extend farthest; ids break ties. Returns the size
+  /// of the left half.
   static std::size_t part_by_number(const Part& p) {
     const Float4 size = p.extent.centres.hi - p.extent.centres.lo;
     const int axis = size[0] >= size[1] && size[0] >= size[2] ? 0 : size[1] >= size[2] ? 1 : 2;
@@ -179,14 +182,16 @@ class WideBuilder {
     return {{left, extent_in_parallel(left), p.cuts + 1}, {right, extent_in_parallel(right), p.cuts + 1}};
   }
 
-  /// Triangles are tested together; another primitive is worth a box of its own.
+  /// Whether the refs make one leaf: up to eight triangles, which are tested together, or a single primitive of
+  /// another kind.
   static bool fits_leaf(Refs refs) {
     return refs.size() == 1 || (refs.size() <= leaf_size &&
                                 std::all_of(refs.begin(), refs.end(), [](const BuildRef& r) { return r.is_triangle; }));
   }
 
-  /// Up to eight parts, in the order of their refs. The largest that is too large for a leaf is cut next; if slots are
-  /// left, leaves are, since boxes of one node cost the same however many they are.
+  /// Cuts a part into up to eight, in the order of their refs. The next to be cut is the one of largest area that is
+  /// too large for a leaf; if slots are left then, parts that fit a leaf are cut too, since all eight boxes of a node
+  /// are tested anyway.
   static std::vector<Part> children_of(const Part& whole) {
     std::vector<Part> parts{whole};
     while (parts.size() < node_width) {
@@ -204,8 +209,8 @@ class WideBuilder {
     return parts;
   }
 
-  /// Appends the nodes of a part to `nodes` and says where it starts. Parts worth it grow in parallel, each on its own,
-  /// and are appended in order.
+  /// Appends the nodes of a part to `nodes` and returns its root. The children of a large part are built in parallel,
+  /// each into nodes of its own, which are then appended in order.
   NodeRef grow(const Part& part, Nodes& nodes) {
     if (fits_leaf(part.refs)) return fill_leaf(part.refs);
     const std::vector<Part> parts = children_of(part);
@@ -277,8 +282,8 @@ class WideBuilder {
 
 WideTree::WideTree(std::uint32_t count, const std::function<Primitive(std::uint32_t)>& primitive) {
   if (count > NodeRef::most_primitives) throw std::length_error("tree: more than 2^27 primitives");
-  // Boxes are rounded outward by rounding to nearest, in whatever thread: tasks take over what the context has
-  // captured.
+  // The proofs that boxes are rounded outward assume rounding to nearest; tasks in other threads inherit it from the
+  // context that is captured here.
   const DefaultRounding in_this_scope;
   tbb::task_group_context context(tbb::task_group_context::isolated,
                                   tbb::task_group_context::default_traits | tbb::task_group_context::fp_settings);

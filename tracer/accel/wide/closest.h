@@ -15,24 +15,24 @@ using namespace detail;
 struct HitBounds {
   double least = 0, greatest = std::numeric_limits<double>::infinity();
 
-  /// How far apart they are where they are called close: 2⁻²¹ of the greater one.
+  /// Bounds are close if they differ by less than this share of the greater one.
   static constexpr double close_width = 0x1p-21;
   bool are_close() const { return least > (1 - close_width) * greatest; }
 
-  /// x, or the nearest number within; of a NaN, least.
+  /// x if it lies within the bounds, else the nearer bound; `least` if x is a NaN.
   double nearest_to(double x) const { return x >= least ? std::min(x, greatest) : least; }
 };
 
-/// Of a plane that the ray crosses at N/D with |N − num| ≤ e and |D − den| ≤ g: where den is certain,
+/// Bounds of the t = N/D at which a ray crosses a plane, where |N − num| ≤ e and |D − den| ≤ g. If |den| > g,
 ///   (|num| − e)/(|den| + g) ≤ t ≤ (|num| + e)/(|den| − g);
-/// each operation is rounded outward by the law of box.h.
+/// each operation is rounded outward by the law of box.h. Else nothing is known of t ≥ 0.
 inline HitBounds hit_bounds(double num, double e, double den, double g) {
   const double n = den < 0 ? -num : num, d = den < 0 ? -den : den;
   if (!(d > g)) return {};
   return {std::max(0.0, below(below(n - e) / above(d + g))), above(above(n + e) / below(d - g))};
 }
 
-/// The same by the second filter's bounds, which stay close where the triangle is small and far away.
+/// The same by the bounds of the filter by terms, which stay close where the triangle is small and far away.
 inline HitBounds hit_bounds(const Ray& ray, const Triangle& t) {
   const FilterConstants<double>& c = volume_terms_filter;
   const Vec3<double> a = lift<double>(t.a), u = arm<double>(a, t.b), v = arm<double>(a, t.c), w = arm<double>(a, ray.o),
@@ -42,7 +42,7 @@ inline HitBounds hit_bounds(const Ray& ray, const Triangle& t) {
   return hit_bounds(height.value, c.k * height.terms + c.tiny, -gain.value, c.k * gain.terms + c.tiny);
 }
 
-/// A hit and the bounds of its parameter. `t` is rounded, and within them.
+/// A hit, and bounds of its exact parameter. `t` is a rounded parameter within these bounds.
 struct BoundedHit {
   Place place;
   std::uint32_t id;
@@ -50,8 +50,8 @@ struct BoundedHit {
   HitBounds bounds;
 };
 
-/// Whether a hit comes before another: at a lesser exact t, or at the same and with a lesser id. Takes a copy, so that
-/// the hit itself may stay in registers: nobody else learns where it is.
+/// Whether a hit comes before another: at a lesser exact t, or at the same t with a lesser id. The hit is passed by
+/// value, so that it may stay in registers.
 template <class Judge>
 bool comes_before(const Judge& judge, BoundedHit hit, const BoundedHit& other) {
   if (hit.bounds.greatest < other.bounds.least) return true;
@@ -62,9 +62,9 @@ bool comes_before(const Judge& judge, BoundedHit hit, const BoundedHit& other) {
 
 /// Keeps the closest hit: least exact t, ties by lowest id. `Judge` has
 ///   bool sees(place, id, limit)   whether an uncertain candidate is a hit; beyond the limit either answer will do;
-///   Span span(place, id)   of the ray in the box of a hit, for hits of whose t the walk knows little;
+///   Span span(place, id)   the span of the ray in the box of the hit face, for hits with wide bounds of t;
 ///   Triangle plane(place, id)   three points of the plane of a hit;
-///   bool is_exact()   whether the hits that it sees are hits indeed, so that they lie in their boxes;
+///   bool is_exact()   whether its answers are exact, so that every hit lies in the box of its face;
 ///   Sign order(hit, other)   sign of t₁ − t₂, asked only where bounds overlap.
 template <class Judge>
 class ClosestQuery final : public CandidateQuery {
@@ -89,8 +89,8 @@ class ClosestQuery final : public CandidateQuery {
   std::uint64_t certain() const { return certain_; }
 
  private:
-  /// By the lanes' volumes; where those say little, as they do from afar, by closer ones or else by the box. Lowers
-  /// latest_.
+  /// Bounds of the hit's parameter from the volumes that the lanes computed. Where these bounds are wide, as they are
+  /// for distant triangles: from the filter by terms, or else from the box of the triangle. Lowers latest_.
   HitBounds bounds_of(const Candidate& f, std::uint32_t id) {
     HitBounds bounds = hit_bounds(f.num, f.bound, f.den, f.bound);
     if (!bounds.are_close() && judge_.is_exact()) bounds = hit_bounds(judge_.ray, judge_.plane(f.place, id));

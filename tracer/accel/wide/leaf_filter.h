@@ -8,14 +8,15 @@
 
 namespace tribunal::HWY_NAMESPACE {
 
-/// What a filter leaves of a leaf: a bit each for triangles that are not certainly missed, are certainly hit, and of
-/// which the filter may be asked; the sides of those, up to ±bound.
+/// What the filter found of the triangles of a leaf, a bit each: `rest` are not certainly missed, `hit` are certainly
+/// hit, `safe` have coordinates for which the error bound holds. For the safe ones, the volumes of the source and of
+/// the direction, up to ±bound.
 struct Filtered {
   unsigned rest = 0, hit = 0, safe = 0;
   double source[leaf_size], toward[leaf_size], bound[leaf_size];
 
-  /// Tells of them, until the query has enough.
-  HWY_NOINLINE bool tell(NodeRef leaf, CandidateQuery& query) const {
+  /// Passes the candidates to the query until it wants no more; returns whether that was so.
+  HWY_NOINLINE bool report(NodeRef leaf, CandidateQuery& query) const {
     for (unsigned left = rest; left != 0; left &= left - 1) {
       const auto k = static_cast<std::uint32_t>(std::countr_zero(left));
       const bool known = (safe >> k & 1) != 0;
@@ -73,8 +74,8 @@ class LeafFilter {
   PairConstants<Lanes> constants_ = in_lanes(pair_filter<P>);
 };
 
-/// Tells of all primitives of a leaf, with nothing known of them.
-inline bool tell_all(NodeRef leaf, CandidateQuery& query) {
+/// Passes all primitives of a leaf to the query as candidates of which nothing is known.
+inline bool report_all(NodeRef leaf, CandidateQuery& query) {
   for (std::uint32_t lane = 0; lane < leaf.count(); ++lane) {
     if (query.found({{leaf, lane}, false, 0, 0, std::numeric_limits<double>::infinity()})) return true;
   }

@@ -10,7 +10,7 @@ namespace tribunal::HWY_NAMESPACE {
 inline constexpr std::size_t double_lanes = HWY_LANES(double);
 static_assert(packet_size == ProbeColumns::size && packet_size % double_lanes == 0);
 
-/// A packet's probes made ready.
+/// The constants for box tests of a packet's probes.
 template <class P>
 HWY_INLINE void make_ready(const ProbePacket& p, const Frame& frame, ProbeColumns& columns) {
   for (std::size_t k = 0; k < packet_size; k += double_lanes) {
@@ -39,7 +39,7 @@ class PacketBoxes {
     }
   }
 
-  /// The lanes that may meet a child at τ ≤ their limit; entry[lane] is where.
+  /// The lanes whose probes may meet the child at τ ≤ their limit; entry[lane] is a lower bound of the τ at which.
   HWY_INLINE unsigned entered(const WideNode& node, std::size_t child, const float* limit, float* entry) const {
     unsigned met = 0;
     for (std::size_t c = 0; c < chunks; ++c) {
@@ -56,7 +56,7 @@ class PacketBoxes {
     return met;
   }
 
-  /// The lanes whose entry is not beyond their limit.
+  /// The lanes with entry ≤ limit.
   static HWY_INLINE unsigned within(const float* entry, const float* limit) {
     unsigned in = 0;
     for (std::size_t k = 0; k < packet_size; k += width)

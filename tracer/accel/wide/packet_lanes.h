@@ -10,10 +10,10 @@ namespace tribunal::HWY_NAMESPACE {
 
 inline constexpr unsigned all_lanes = (1U << packet_size) - 1, chunk_lanes = (1U << double_lanes) - 1;
 
-/// Which lanes still ask, how far, and what they found: what the two walks share.
+/// The state of a packet's walk: the lanes that still search, the limit on τ of each, and what they found.
 struct PacketState {
-  PacketState(const ProbePacket& p, const ProbeColumns& boxes, PacketAnswer& told)
-      : packet(p), asking(p.lanes & boxes.held), answer(told) {}
+  PacketState(const ProbePacket& p, const ProbeColumns& boxes, PacketAnswer& a)
+      : packet(p), asking(p.lanes & boxes.held), answer(a) {}
 
   const ProbePacket& packet;
   alignas(64) float limit[packet_size] = {};
@@ -27,17 +27,17 @@ struct PacketState {
   void finish(unsigned held) { answer.known = packet.lanes & held & ~unsure; }
 };
 
-/// A node or leaf that waits for some lanes, which enter it at `entry`.
+/// A node or leaf on the traversal stack; some lanes are to enter it, each at its `entry`.
 struct WaitingNode {
   alignas(32) float entry[packet_size];
-  std::uint32_t at;  ///< the bits of a NodeRef, so that room for many is made without a thought
+  std::uint32_t at;  ///< the bits of a NodeRef; an integer, so that an array of these needs no initialisation
   unsigned lanes;
 };
 
-/// Nodes that wait, the one to visit next on top.
+/// The traversal stack of a packet; the node to visit next is on top.
 class PacketStack {
  public:
-  PacketStack() {}  // the room is not cleared
+  PacketStack() {}  // leaves the array uninitialised
 
   bool empty() const { return size_ == 0; }
   const WaitingNode& pop() { return nodes_[--size_]; }
@@ -48,8 +48,8 @@ class PacketStack {
   WaitingNode nodes_[most_waiting];
 };
 
-/// Pushes the children that some asking lanes enter: the one that a lane enters first on top. Whether a child is
-/// entered cannot be foreseen, so there is no branch on it.
+/// Pushes the children that some searching lanes enter; if in_order, in the order in which the first of the lanes
+/// enters them, the nearest on top. Whether a child is entered cannot be predicted, so there is no branch on it.
 template <bool in_order>
 HWY_INLINE void push_children(const WideNode& node, const PacketBoxes& boxes, unsigned lanes, PacketState& state,
                               PacketStack& stack) {
@@ -77,7 +77,8 @@ HWY_INLINE void push_children(const WideNode& node, const PacketBoxes& boxes, un
   for (std::size_t i = 0; i < met; ++i) stack.push(children[in_order ? keys[i] & 0xff : i]);
 }
 
-/// Calls leaf(ref, lanes) for the leaves that asking lanes may meet by their limits, nearer ones first if in_order.
+/// Calls leaf(ref, lanes) for each leaf that some searching lanes may meet at τ ≤ their limits; if in_order, nearer
+/// ones first.
 template <bool in_order, class Leaf>
 HWY_INLINE void walk_together(const WideTree& tree, const ProbeColumns& probe, PacketState& state, const Leaf& leaf) {
   if (tree.empty()) return;
@@ -103,8 +104,8 @@ class PacketFilter {
  public:
   PacketFilter(const PacketFaces& faces, PacketState& state) : faces_(faces), state_(state) {}
 
-  /// Calls hit(id, chunk, lanes, verdict) for certain hits, of one chunk of lanes; drops lanes of which nothing is
-  /// certain.
+  /// Calls hit(id, first lane, verdict) for certain hits, one chunk of lanes at a time; drops lanes for which the
+  /// filter fails.
   template <class Hit>
   HWY_INLINE void filter(NodeRef leaf, unsigned lanes, const Hit& hit) {
     const double* const column = faces_.tree.columns(leaf);
@@ -132,9 +133,10 @@ class PacketFilter {
     return ((x >= id) & (x <= id)).bits();
   }
 
-  HWY_INLINE void count(unsigned told, std::size_t c) {
+  HWY_INLINE void count(unsigned decided, std::size_t c) {
     double* const tests = state_.answer.tests + c;
-    hn::StoreU(hn::Add(hn::LoadU(tag, tests), hn::IfThenElseZero(mask_of(tag, told), hn::Set(tag, 1.0))), tag, tests);
+    hn::StoreU(hn::Add(hn::LoadU(tag, tests), hn::IfThenElseZero(mask_of(tag, decided), hn::Set(tag, 1.0))), tag,
+               tests);
   }
 
   template <class Hit>
@@ -147,11 +149,11 @@ class PacketFilter {
         equal(state_.packet.excluded[0] + c, this_id) | equal(state_.packet.excluded[1] + c, this_id);
     verdict.missed |= excluded;
     verdict.hit &= asked & ~excluded;
-    const unsigned told = asked & (verdict.missed | verdict.hit);
+    const unsigned decided = asked & (verdict.missed | verdict.hit);
     PacketAnswer& answer = state_.answer;
-    (is_triangle ? answer.triangle_tests : answer.polygon_tests) += static_cast<unsigned>(std::popcount(told));
-    count(told, c);
-    if (told != asked) state_.drop((asked & ~told) << c);
+    (is_triangle ? answer.triangle_tests : answer.polygon_tests) += static_cast<unsigned>(std::popcount(decided));
+    count(decided, c);
+    if (decided != asked) state_.drop((asked & ~decided) << c);
     if (verdict.hit == 0) return;
     (is_triangle ? answer.triangle_hits : answer.polygon_hits) += static_cast<unsigned>(std::popcount(verdict.hit));
     hit(this_id, c, verdict);
@@ -173,14 +175,15 @@ class PacketFilter {
     if constexpr (std::is_same_v<P, Ray>) {
       const Lanes far = certain.bound * Lanes(0x1p24);
       const unsigned near = ((magnitude(verdict.num) < far) | (magnitude(verdict.den) < far)).bits();
-      if (HWY_UNLIKELY((verdict.hit & asked & near) != 0)) come_closer(t, source, target, verdict);
+      if (HWY_UNLIKELY((verdict.hit & asked & near) != 0)) tighten_bounds(t, source, target, verdict);
     }
     return verdict;
   }
 
-  /// The second filter's bounds of where hits are, which stay close where the triangle is small and far away.
-  HWY_INLINE void come_closer(const LiftedTriangle<Lanes>& t, const Vec3<Lanes>& source, const Vec3<Lanes>& direction,
-                              LaneVerdict& verdict) const {
+  /// Replaces num, den and their bounds by those of the filter by terms, which stay close where the triangle is small
+  /// and far away.
+  HWY_INLINE void tighten_bounds(const LiftedTriangle<Lanes>& t, const Vec3<Lanes>& source,
+                                 const Vec3<Lanes>& direction, LaneVerdict& verdict) const {
     const Vec3<Lanes> u = t.b - t.a, v = t.c - t.a;
     const Expansion<Lanes> height = expanded(u, v, source - t.a), gain = expanded(u, v, direction);
     const Lanes k(volume_terms_filter.k), tiny(volume_terms_filter.tiny);
@@ -210,7 +213,8 @@ class ClosestLanes {
     }
   }
 
-  /// Of two hits of one lane the bounds must be apart, else it is dropped.
+  /// Takes certain hits of a face. A lane is dropped if the bounds of its new hit overlap those of its closest hit so
+  /// far.
   HWY_INLINE void add(const Lanes& id, std::size_t c, const LaneVerdict& v) {
     const Lanes forward = unit_with_sign_of(v.den), n = v.num * forward, d = v.den * forward;
     const Lanes least = lowered(Lanes((n - v.num_bound) / (d + v.den_bound)));
@@ -228,7 +232,8 @@ class ClosestLanes {
     lower_limit(c);
   }
 
-  /// Tells which lanes' bounds are as close as HitBounds calls it; t, as computed, is between them.
+  /// Marks the lanes of which the bounds of t are as close as HitBounds::close_width; the computed t lies between its
+  /// bounds.
   HWY_INLINE void finish() {
     for (std::size_t c = 0; c < packet_size; c += double_lanes) {
       const Lanes almost = Lanes::load(greatest_ + c) * Lanes(1 - 0x1p-21);
@@ -239,8 +244,8 @@ class ClosestLanes {
  private:
   using Halves = hn::Rebind<float, Tag>;
 
-  /// Quotients are off by five roundings at most, and may have overflowed; their operands are at
-  /// least the bounds' `tiny`, so that no operand underflowed.
+  /// A lower bound of an exact quotient, from its rounded value x. x is off by five roundings at most, and may have
+  /// overflowed; no operand underflowed, since each is at least the bounds' `tiny`.
   static HWY_INLINE Lanes lowered(const Lanes& x) {
     return smaller(x, Lanes(std::numeric_limits<double>::max())) * Lanes(1 - 0x1p-48) + Lanes(-0x1p-1000);
   }
@@ -250,7 +255,7 @@ class ClosestLanes {
     hn::StoreU(hn::IfThenElse(mask_of(tag, lanes), x.v, hn::LoadU(tag, to)), tag, to);
   }
 
-  /// WideProbe::limit_at.
+  /// Lowers the limits on τ to the greatest t that the closest hits may have, as WideProbe::limit_at does.
   HWY_INLINE void lower_limit(std::size_t c) {
     const Halves halves;
     const Lanes tau = Lanes::load(greatest_ + c) * Lanes::load(probe_.scale + c);

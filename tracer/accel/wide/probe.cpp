@@ -27,7 +27,7 @@ double inverse_of(double power) {
 /// Whether both 2^e and its inverse are normal.
 bool is_ordinary(double power) { return power >= WideProbe::least_scale && power <= 1 / WideProbe::least_scale; }
 
-/// Differences that overflow are made of halves.
+/// Whether the difference of two points may have overflowed; it is then computed from the halved points.
 bool overflows(const Point3& d) { return !(largest(d) <= 0x1p1000); }
 
 }  // namespace

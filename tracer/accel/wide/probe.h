@@ -54,7 +54,7 @@ struct WideProbe {
     return x < 0x1p60 ? static_cast<float>(x * (1 + 0x1p-20) + 0x1p-100) : far_away;
   }
 
-  static constexpr float far_away = 0x1p100F;  ///< beyond every box, as a bound on τ
+  static constexpr float far_away = 0x1p100F;  ///< no box of the tree is entered at a greater τ
 
   static constexpr double smallest_component = 0x1p-60, farthest_start = 0x1p30, least_scale = 0x1p-1000;
 
@@ -67,7 +67,7 @@ struct WideProbe {
   double scale;  ///< τ = scale·t
 
  private:
-  /// x = o + t·(growth·d'), where d = d' exactly or up to rounding.
+  /// For the probe x = o + t·(growth·d), where d may be off by one rounding.
   WideProbe(const Point3& o, const Point3& d, double growth, const Frame& frame);
   void meet_everything();
 };

@@ -7,18 +7,19 @@
 
 namespace tribunal::HWY_NAMESPACE {
 
-/// The constants of up to eight probes by columns, by the operations of probe.cpp in their order: so they are the same,
-/// bit for bit, and the proof holds for them. Of what is out of the ordinary or not finite (`held` has a bit for every
-/// other probe) they mean nothing.
+/// The constants of up to eight probes by columns. They are computed by the operations of probe.cpp in the same
+/// order, so they are the same bit for bit, and the proof in probe.h holds for them. `held` has a bit for each probe
+/// that is finite and within the frame's range; the constants of other probes mean nothing.
 struct ProbeColumns {
   static constexpr std::size_t size = 8;
 
   struct Axis {
     alignas(64) float r[size], near_c[size], far_c[size];
-    unsigned backward = 0;  ///< probes that run from hi to lo
+    unsigned backward = 0;  ///< probes with a negative direction on this axis, a bit each
   };
 
-  /// Sets those from the k-th on, as many as there are lanes; `d` is a ray's direction or a segment's difference.
+  /// Sets the columns from probe k on, as many probes as a vector has lanes; `d` is a ray's direction or a segment's
+  /// difference of ends.
   HWY_INLINE void set(std::size_t k, const Vector (&o)[3], const Vector (&d)[3], const Frame& frame) {
     const Vector length = largest(d), power = power_below(length), inverse = inverse_of(power);
     const Vector from[3] = {in_frame(o[0], frame.centre.x, frame.unit), in_frame(o[1], frame.centre.y, frame.unit),
@@ -72,7 +73,8 @@ struct ProbeColumns {
   }
 };
 
-/// One of the columns' probes. Number by number where it belongs: a copy of what was just written would wait for it.
+/// Writes probe k to p, number by number: a wide copy would have to wait until the narrow stores just made are in the
+/// cache.
 HWY_INLINE void write(const ProbeColumns& columns, std::size_t k, WideProbe& p) {
   p.scale = columns.scale[k];
   for (std::uint32_t i = 0; i < 3; ++i) {
@@ -81,7 +83,7 @@ HWY_INLINE void write(const ProbeColumns& columns, std::size_t k, WideProbe& p) 
   }
 }
 
-/// The probe of each ray; of one that is not finite the scale is not a number.
+/// Makes the probe of each ray; the scale is NaN where the ray is not finite.
 [[gnu::flatten]] inline void make_probes(std::span<const Ray> rays, const Frame& frame, WideProbe* probes) {
   static_assert(sizeof(Ray) == 6 * sizeof(double));
   constexpr hn::RebindToSigned<Tag> indices;

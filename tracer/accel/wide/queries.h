@@ -1,4 +1,4 @@
-// What is asked of the candidates of a walk besides the closest hit (closest.h): any hit, every hit, all crossings.
+// Queries that take the candidates of a walk: any hit, every hit, all crossings. The closest hit is in closest.h.
 #pragma once
 
 #include <algorithm>
@@ -47,7 +47,7 @@ class AllQuery final : public CandidateQuery {
     return false;
   }
 
-  /// By exact t, then by id.
+  /// All hits, by exact t, then by id.
   const std::vector<BoundedHit>& in_order() {
     std::sort(hits_.begin(), hits_.end(),
               [&](const BoundedHit& a, const BoundedHit& b) { return comes_before(judge_, a, b); });
@@ -60,7 +60,8 @@ class AllQuery final : public CandidateQuery {
   std::vector<BoundedHit> hits_;
 };
 
-/// Counts how a ray crosses the triangles (exact/filtered/crossing.h). Not for walks whose candidates may come twice.
+/// Counts how a ray crosses the triangles (exact/filtered/crossing.h). Not for walks that may report a candidate
+/// twice.
 class CrossingQuery final : public CandidateQuery {
  public:
   CrossingQuery(const WideTree& tree, const Ray& ray) : tree_(tree), ray_(ray) {}

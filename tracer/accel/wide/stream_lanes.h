@@ -18,12 +18,12 @@ namespace tribunal::HWY_NAMESPACE {
 /// One walk that is under way.
 struct Walker {
   const RayWalk* walk;
-  float limit;  ///< that of the query
+  float limit;  ///< the query's limit, copied after each leaf
   NodeRef at;
   WaitingBoxes waiting;
 };
 
-/// What a walker does next. The last two are neighbours: see after().
+/// What a walker does next. The order matters: after() adds 1 to take_next to get start_walk.
 enum Step : std::uint32_t { enter_node, filter_leaf, take_next, start_walk };
 inline constexpr std::size_t steps = 4;
 
@@ -50,7 +50,7 @@ class StepQueues {
   Walker* at_[steps][walkers];
 };
 
-/// The walks of a list.
+/// Runs all walks of a list, up to 64 in turn.
 class Stream {
  public:
   Stream(const WideTree& tree, std::span<const RayWalk> walks, WalkCounts& counts)
@@ -68,7 +68,7 @@ class Stream {
   }
 
  private:
-  /// Walkers for which there is no walk left are heard of no more.
+  /// Gives the next walks of the list to idle walkers. A walker for which no walk is left enters no queue again.
   HWY_INLINE void start_walks() {
     queues_.take_all(start_walk, [&](Walker& w) HWY_ATTR {
       if (next_ == end_) return;
@@ -95,7 +95,7 @@ class Stream {
     queues_.take_all(filter_leaf, [&](Walker& w) HWY_ATTR {
       LeafFilter<Ray>(*w.walk->ray).filter(tree_, w.at, filtered_, counts_);
       if (filtered_.rest != 0) {
-        filtered_.tell(w.at, *w.walk->query);
+        filtered_.report(w.at, *w.walk->query);
         w.limit = w.walk->query->limit;
       }
       queues_.add(after(w), &w);
@@ -110,10 +110,11 @@ class Stream {
     });
   }
 
-  /// What follows where a walk can get no deeper.
+  /// The next step of a walk that is done with a node or leaf: take_next while boxes wait, else start_walk.
   static std::uint32_t after(const Walker& w) { return take_next + std::uint32_t{w.waiting.empty()}; }
 
-  /// Sends a walker on to a node or leaf; or rather, if `else_if`, to another step. By arithmetic, not by branches.
+  /// Queues a walker for the child, a node or a leaf; if `else_if`, for the step `other` instead. Computed without
+  /// branches.
   HWY_INLINE void go_to(NodeRef child, Walker& w, std::uint32_t other = start_walk, bool else_if = false) {
     w.at = child;
     prefetch_(child);
@@ -121,8 +122,8 @@ class Stream {
     queues_.add((leaf & ~instead) | instead * other, &w);
   }
 
-  /// A walk in so deep a tree, or among so many boxes, that too many wait: starts again on its own, where proof bounds
-  /// them, with what it has found.
+  /// For a walk in which more boxes wait than a walker holds: the walk starts again as a single walk, the stack of
+  /// which is proved to be large enough. Its query keeps the candidates that it has taken.
   HWY_NOINLINE void finish_alone(Walker& w) {
     filter<Ray>(tree_, *w.walk->probe, *w.walk->ray, *w.walk->query, counts_);
     queues_.add(start_walk, &w);

@@ -8,9 +8,10 @@
 
 namespace tribunal {
 
-/// A primitive that the walk came upon, with what the lanes know of it. Where `certain`, the probe certainly hits it in
-/// general position. num and den are orient3d(a, b, c, source) and, negated, what a point gains on the plane along d:
-/// the probe reaches the plane at num/den. Each is known up to ±bound; bound is infinite where nothing is known.
+/// A primitive that the walk could not rule out, with what the vector lanes know of it. If `certain`, the probe
+/// certainly hits it in general position. num is orient3d(a, b, c, source), and den is how much that volume decreases
+/// along the direction d: the probe reaches the plane at t = num/den. Both are known up to ±bound; bound is infinite
+/// where nothing is known.
 struct Candidate {
   Place place;
   bool certain;
@@ -20,7 +21,7 @@ struct Candidate {
 /// Takes every candidate, in the order of the walk.
 class CandidateQuery {
  public:
-  /// Whether the walk may stop.
+  /// Takes a candidate; returns whether the walk may stop.
   virtual bool found(const Candidate& f) = 0;
 
   float limit = WideProbe::far_away;  ///< on τ: boxes entered later are skipped; `found` may lower it
@@ -29,7 +30,7 @@ class CandidateQuery {
   ~CandidateQuery() = default;
 };
 
-/// What a walk did: box tests, eight a node; triangles that were certainly missed.
+/// Counts of a walk: box tests, eight per node, and triangles that the filter was certain are missed.
 struct WalkCounts {
   std::uint64_t boxes = 0, missed = 0;
 };
@@ -41,9 +42,9 @@ struct RayWalk {
   CandidateQuery* query;
 };
 
-/// Law of all walks: every primitive that the probe exactly meets at t ≤ limit is found, but for those that are
-/// certainly missed. `filtered` walks skip triangles that the filter of shared_volumes.h is certain are missed; the
-/// plain walk finds all primitives of all leaves.
+/// Law of all walks: every primitive that the probe exactly meets at t ≤ limit becomes a candidate. The filtering
+/// walks leave out triangles that the filter of shared_volumes.h is certain are missed; `visit_all` reports all
+/// primitives of every leaf that it enters.
 struct TreeTarget {
   void (*filter_ray)(const WideTree&, const WideProbe&, const Ray&, CandidateQuery&, WalkCounts&);
   void (*filter_segment)(const WideTree&, const WideProbe&, const Segment&, CandidateQuery&, WalkCounts&);
@@ -52,13 +53,14 @@ struct TreeTarget {
   /// probes[i] = WideProbe(rays[i], frame).
   void (*make_probes)(std::span<const Ray>, const Frame&, WideProbe* probes);
 
-  /// Each as by filter_ray, all at the same time; no `found` may stop its walk. A candidate may come twice.
+  /// Walks each ray as filter_ray does, many in turn. No query may stop its walk, and a query may get a candidate
+  /// twice.
   void (*filter_rays)(const WideTree&, std::span<const RayWalk>, WalkCounts&);
 };
 
 extern const TreeTarget tree_avx512, tree_avx2, tree_portable;
 
-/// That of the batch's target in use (exact/filtered/batch.h).
+/// The functions for the instruction set that the batch uses too (exact/filtered/batch.h).
 const TreeTarget& tree_target();
 
 }  // namespace tribunal

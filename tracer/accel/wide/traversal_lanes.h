@@ -16,13 +16,13 @@ inline constexpr std::size_t cache_line = 64;
 struct BoxLanes {
   struct Axis {
     BoxVector r, near_c, far_c;
-    std::uint32_t near_plane, far_plane;  ///< their first coordinates
+    std::uint32_t near_plane, far_plane;  ///< where the near and far planes start in WideNode::plane
   };
 
   explicit BoxLanes(const WideProbe& p) : x(axis(p.axes[0])), y(axis(p.axes[1])), z(axis(p.axes[2])) {}
 
-  /// Which children may be met at τ ≤ limit, a bit each; entry[k] is where. No entry is −0: of equal operands, Max
-  /// returns the second.
+  /// The children that the probe may meet at τ ≤ limit, a bit each; entry[k] is a lower bound of the τ at which. No
+  /// entry is −0, since Max returns the second of equal operands.
   HWY_INLINE unsigned entered(const WideNode& node, float limit, float* entry) const {
     unsigned met = 0;
     for (std::size_t k = 0; k < node_width; k += hn::Lanes(box_tag)) {
@@ -50,7 +50,8 @@ struct BoxLanes {
   Axis x, y, z;
 };
 
-/// Children that wait, the one entered first on top: (entry, child) as one number, since an entry is not negative.
+/// The traversal stack; the child that is entered first is on top. Entry and child are packed into one integer, which
+/// sorts by the entry since no entry is negative.
 class WaitingNodes {
  public:
   static std::uint64_t key(float entry, NodeRef child) {
@@ -61,7 +62,7 @@ class WaitingNodes {
   std::uint64_t pop() { return keys_[--size_]; }
   void push(std::uint64_t key) { keys_[size_++] = key; }
 
-  /// Sorts what was pushed since there were `from`, the least on top.
+  /// Sorts the elements from index `from` on, the least entry on top.
   void sort_from(std::size_t from) {
     for (std::size_t i = from + 1; i < size_; ++i) {
       const std::uint64_t key = keys_[i];
@@ -77,13 +78,13 @@ class WaitingNodes {
   std::uint64_t keys_[most_waiting];
 };
 
-/// Asks for the first cache lines of a node or leaf that will be wanted.
+/// Prefetches the first cache lines of a node or leaf.
 class Prefetcher {
  public:
   explicit Prefetcher(const WideTree& tree)
       : start_{as_bytes(tree.nodes()), as_bytes(tree.columns(NodeRef::leaf(0, 1)))} {}
 
-  /// Without a branch, which nothing would foretell.
+  /// Has no branch: whether r is a node or a leaf cannot be predicted.
   HWY_INLINE void operator()(NodeRef r) const {
     static constexpr std::size_t size[] = {sizeof(WideNode), column_count * sizeof(double)};
     const char* const wanted = start_[r.is_leaf()] + size[r.is_leaf()] * r.first();
@@ -96,7 +97,7 @@ class Prefetcher {
   const char* start_[2];
 };
 
-/// Pushes the children that are met; the one entered first is returned. Not for none.
+/// Pushes the children that are met, but for the one entered first, which is returned. At least one must be met.
 HWY_INLINE std::uint64_t first_of(const Prefetcher& prefetch, const WideNode& node, unsigned met, const float* entry,
                                   WaitingNodes& waiting) {
   const auto next = [&] {
@@ -120,7 +121,8 @@ HWY_INLINE std::uint64_t first_of(const Prefetcher& prefetch, const WideNode& no
   return waiting.pop();
 }
 
-/// Calls leaf(ref) for every leaf that may be met by the query's limit, nearer ones first, until it returns true.
+/// Calls leaf(ref) for every leaf that the probe may meet at τ ≤ the query's limit, nearer ones first, until `leaf`
+/// returns true.
 template <class Leaf>
 HWY_INLINE void walk(const WideTree& tree, const WideProbe& probe, const CandidateQuery& query, WalkCounts& counts,
                      const Leaf& leaf) {
@@ -157,15 +159,15 @@ template <class P>
   const LeafFilter<P> filter(exact_probe);
   Filtered filtered;
   walk(tree, probe, query, counts, [&](NodeRef leaf) HWY_ATTR {
-    if (!leaf.holds_triangles()) return tell_all(leaf, query);
+    if (!leaf.holds_triangles()) return report_all(leaf, query);
     filter.filter(tree, leaf, filtered, counts);
-    return filtered.rest != 0 && filtered.tell(leaf, query);
+    return filtered.rest != 0 && filtered.report(leaf, query);
   });
 }
 
 [[gnu::flatten]] inline void visit_all(const WideTree& tree, const WideProbe& probe, CandidateQuery& query,
                                        WalkCounts& counts) {
-  walk(tree, probe, query, counts, [&](NodeRef leaf) { return tell_all(leaf, query); });
+  walk(tree, probe, query, counts, [&](NodeRef leaf) { return report_all(leaf, query); });
 }
 
 }  // namespace tribunal::HWY_NAMESPACE

@@ -41,24 +41,24 @@ class NodeRef {
   std::uint32_t bits_ = 0;
 };
 
-/// The builder cuts a set in two where the two parts are cheapest, but no set that came of this many cuts: from there
-/// on it halves.
+/// The builder cuts a set in two where that is cheapest; after this many cuts it halves sets by number instead, which
+/// bounds the depth.
 inline constexpr std::uint32_t most_cuts_by_cost = 48;
 
-/// The left half of a set of n; the right one has the odd primitive.
+/// The size of the left half of a set of n; if n is odd, the right half has one more.
 constexpr std::size_t half_of(std::size_t n) { return n / 2; }
 
-/// How often n primitives are halved at most until each is alone.
+/// The greatest number of halvings until each of n primitives is alone.
 constexpr std::uint32_t most_halvings(std::size_t n) { return n < 2 ? 0 : 1 + most_halvings(n - half_of(n)); }
 
-/// Cuts between the whole set and a leaf at most. A single primitive is always a leaf, so after the cuts by cost no set
-/// is halved more often than the largest tree would have to be.
+/// The greatest number of cuts between the whole set and a leaf. A single primitive is always a leaf, so after the
+/// cuts by cost no set is halved more often than the largest possible set would be.
 inline constexpr std::uint32_t most_cuts = most_cuts_by_cost + most_halvings(NodeRef::most_primitives);
 static_assert(most_cuts == 48 + 27);
 
-/// Nodes and leaves that wait at once in a walk at most. Each node is at least one cut below its parent and a leaf is
-/// no node, so that no path has more than `most_cuts` nodes; while the last one's children wait, the others on the path
-/// have all but one of their children waiting.
+/// The greatest number of nodes and leaves on the traversal stack at once. Each node is at least one cut below its
+/// parent and a leaf is no node, so no path has more than `most_cuts` nodes. While all children of the last node on a
+/// path wait, each other node of the path has all but one of its children waiting.
 inline constexpr std::size_t most_waiting = most_cuts * (node_width - 1) + 1;
 
 /// Where the boxes' binary32 coordinates live: X = (x − centre)·unit, so that a mesh keeps sharp boxes however far from
@@ -78,27 +78,28 @@ struct alignas(32) WideNode {
   bool is_empty(std::size_t k) const { return plane[0][k] > plane[3][k]; }
 };
 
-/// A primitive for the tree: what bounds it and, if it is a triangle, what it is. Others are asked of the caller.
+/// A primitive for the tree: its box, and its vertices if it is a triangle. Tests of other primitives are left to the
+/// caller.
 struct Primitive {
   Box box;
   std::optional<Triangle> triangle;
 };
 
-/// A triangle where the tree keeps it: lane `lane` of a leaf.
+/// The position of a primitive in the tree: lane `lane` of a leaf.
 struct Place {
   NodeRef leaf;
   std::uint32_t lane;
 };
 
 /// The tree. Leaves hold their triangles by columns (a.x of all, a.y of all, …, c.z of all, and the ids, as doubles)
-/// without gaps, so that 8 lanes load them at once; a primitive that is no triangle has NaN there, of which no filter
-/// is certain.
+/// without gaps, so that 8 lanes load them at once. A primitive that is no triangle has NaN coordinates, for which
+/// every filter fails.
 class WideTree {
  public:
   WideTree() = default;
 
-  /// Over primitives 0 … count − 1. The tree depends on the primitives alone, not on the number of threads that build
-  /// it. Coordinates must be finite. Throws std::length_error beyond 2²⁷ primitives.
+  /// Builds the tree over the primitives 0 … count − 1. It depends on the primitives alone, not on the number of
+  /// threads that build it. Coordinates must be finite. Throws std::length_error beyond 2²⁷ primitives.
   WideTree(std::uint32_t count, const std::function<Primitive(std::uint32_t)>& primitive);
 
   bool empty() const { return columns_.empty(); }
@@ -111,7 +112,7 @@ class WideTree {
 
   std::uint32_t id(Place p) const { return static_cast<std::uint32_t>(columns(p.leaf)[9 * p.leaf.count() + p.lane]); }
 
-  /// Its coordinates, bit for bit; NaN if it is no triangle.
+  /// The coordinates of a triangle, bit for bit; NaN for a primitive that is no triangle.
   Triangle triangle(Place p) const;
 
   /// Calls visit(place) for every primitive.

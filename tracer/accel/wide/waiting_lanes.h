@@ -12,15 +12,16 @@ using WaitingTag = hn::CappedTag<std::uint32_t, 16>;
 inline constexpr KeyTag key_tag;
 inline constexpr WaitingTag waiting_tag;
 
-/// Entries as numbers with the lane's own in the last bits: entries having no sign, the least of them tells the
-/// lane, and, without those bits, a bound from below of the least entry.
+/// The bits of each entry as an integer, with the number of its lane in the last bits. Since no entry is negative,
+/// the least key names the lane of the least entry and, without those last bits, is a lower bound of that entry.
 template <class D>
 HWY_INLINE hn::Vec<D> keys(D d, const float* entry, std::size_t first, std::uint32_t lane_bits) {
   const auto bits = hn::LoadU(d, reinterpret_cast<const std::uint32_t*>(entry));
   return hn::Or(hn::AndNot(hn::Set(d, lane_bits), bits), hn::Iota(d, static_cast<std::uint32_t>(first)));
 }
 
-/// The slot that is entered first, or about so, among those met; any for none.
+/// The child that is entered first among those met, up to the last bits of the entry; an arbitrary one if none is
+/// met.
 HWY_INLINE unsigned nearest_of(const float* entry, unsigned met) {
   const auto none = hn::Set(key_tag, ~0U);
   auto least = none;
@@ -37,7 +38,7 @@ class WaitingBoxes {
   void clear() { size_ = 0; }
   bool empty() const { return size_ == 0; }
 
-  /// Whether all children of a node find room.
+  /// Whether there is room for all children of a node.
   bool has_room() const { return size_ + node_width <= capacity; }
 
   HWY_INLINE void push(const float* entry, const NodeRef* child, unsigned met) {
@@ -52,7 +53,8 @@ class WaitingBoxes {
     size_ = end;
   }
 
-  /// Takes out the box that is entered first, or about so. Returns a bound from below of all entries. Not if empty.
+  /// Removes the box that is entered first, up to the last bits of the entry. Returns a lower bound of all entries.
+  /// Must not be empty.
   HWY_INLINE float pop(NodeRef& child) {
     constexpr std::uint32_t step = hn::MaxLanes(waiting_tag);
     std::uint32_t least = ~0U;
@@ -75,7 +77,7 @@ class WaitingBoxes {
   static constexpr std::size_t capacity = 48;  ///< walks seldom need more than 16
   static constexpr std::size_t slack = 16;     ///< whole vectors are loaded and stored
 
-  /// Those of some lanes, side by side.
+  /// Stores the numbers of the selected lanes contiguously.
   template <class From, class To>
   static HWY_INLINE void store(const From* from, hn::Mask<KeyTag> lanes, To* to) {
     const auto all = hn::LoadU(key_tag, reinterpret_cast<const std::uint32_t*>(from));
