@@ -1,5 +1,5 @@
-// A mesh plugin that is right: every face asked in rational arithmetic. And, with a macro, one that is wrong as trees in
-// the wild are:
+// A mesh plugin that is right: every face asked in rational arithmetic. And, with a macro, one that is wrong as trees
+// in the wild are:
 //   LOSES_FLAT_SLABS   boxes tested by 1/d, so that 0·∞ in a face of a box loses its triangle
 //   EXITS_EARLY        closest returns the first hit that it finds
 //   LISTS_TWICE        all reports a face again for each box that it lies in
@@ -15,7 +15,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "tribunal_plugin.h"
+#include "exact/plugin/tribunal_plugin.h"
 
 namespace {
 

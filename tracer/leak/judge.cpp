@@ -35,6 +35,11 @@ class Trial {
     return truth_.at_outline && std::ranges::all_of(truth_.at(p), [&](const Crossed& c) { return has_mark(c.face); });
   }
 
+  bool is_edge_on_at(const Place& p) const {
+    return std::ranges::all_of(truth_.at(p),
+                               [&](const Crossed& c) { return is_edge_on(surface_, aimed_.ray, c.face); });
+  }
+
   bool has_mark(std::uint32_t face) const {
     if (aimed_.aim == Aim::vertex) return surface_.has_vertex(face, aimed_.at);
     return std::ranges::all_of(surface_.edges()[aimed_.at],
@@ -128,7 +133,7 @@ class Trial {
     if (other != missed.end()) {
       verdict_.add(Outcome::neighbour, a_face_at(i));
       missed.erase(other);
-    } else if (due_[i]) {
+    } else if (due_[i] && !is_edge_on_at(p)) {
       verdict_.add(Outcome::leak, a_face_at(i));
     } else {
       verdict_.add(Outcome::outline, a_face_at(i));

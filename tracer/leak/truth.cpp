@@ -1,7 +1,9 @@
 #include "tracer/leak/truth.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "exact/cases/families/ulp.h"
 #include "exact/filtered/crossing.h"
 #include "exact/filtered/filtered.h"
 #include "exact/filtered/filtered_kernel.h"
@@ -51,6 +53,22 @@ Facing facing_of(const Surface& surface, const Ray& ray, std::uint32_t face) {
   const Sign side = FilteredKernel().orient3d(t.a, t.b, t.c, ray.o);
   if (side == Sign::zero) return Facing::unsaid;
   return side == Sign::positive ? Facing::front : Facing::back;
+}
+
+bool is_edge_on(const Surface& surface, const Ray& ray, std::uint32_t face) {
+  const Facing facing = facing_of(surface, ray, face);
+  const Triangle& t = surface.triangle(face);
+  double most = 0;
+  for (const Point3& p : {ray.o, t.a, t.b, t.c}) {
+    for (int axis = 0; axis < 3; ++axis) most = std::max(most, std::abs(p[axis]));
+  }
+  const double step = 16 * (moved_by_ulps(most, 1, surface.format()) - most);
+  for (int signs = 0; signs < 8; ++signs) {
+    const Point3 move((signs & 1) != 0 ? step : -step, (signs & 2) != 0 ? step : -step,
+                      (signs & 4) != 0 ? step : -step);
+    if (facing_of(surface, {ray.o + move, ray.d}, face) != facing) return true;
+  }
+  return false;
 }
 
 RayTruth truth_of(const Surface& surface, const AimedRay& aimed, std::span<const std::uint32_t> candidates) {

@@ -51,6 +51,11 @@ RayTruth truth_of(const Surface& surface, const AimedRay& aimed, std::span<const
 /// the interior of one is met, or more faces are entered than left.
 bool is_passed(const Surface& surface, const RayTruth& truth, const Place& place, Culling culling);
 
+/// Whether the source sees the face edge-on, but for rounding: moved by 16 units in the last place of the largest
+/// coordinate, it would be in the face's plane or behind it. Where the ray crosses such a face is not for rounded tests
+/// to say, nor whether it does: it is a part of the outline.
+bool is_edge_on(const Surface& surface, const Ray& ray, std::uint32_t face);
+
 /// The facing of a face in whose plane the ray does not start, as the source sees it.
 Facing facing_of(const Surface& surface, const Ray& ray, std::uint32_t face);
 

@@ -57,8 +57,9 @@ Family aimed_at(std::vector<Triangle> triangles) {
   };
   return {.name = "your mesh",
           .stresses = "the triangles of a mesh of your own, met at vertices, edges and in their planes",
-          .population = "segments and rays aimed at the triangles of your mesh, one triangle a case: how often a single "
-                        "answer is wrong is no leak rate, which `tribunal leak` measures",
+          .population =
+              "segments and rays aimed at the triangles of your mesh, one triangle a case: how often a single "
+              "answer is wrong is no leak rate, which `tribunal leak` measures",
           .axis =
               "(0 ends at a vertex, 1 through one, 2 through an edge, 3 through a face, 4 along an edge, "
               "5 from vertex to vertex)",
