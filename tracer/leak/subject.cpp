@@ -1,6 +1,7 @@
 #include "tracer/leak/subject.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "exact/trial/observe.h"
 
@@ -10,7 +11,7 @@ namespace {
 /// A method and the surface whose faces it is asked about.
 class FaceByFace {
  public:
-  FaceByFace(const Method& method, const Surface& surface) : method_(method), surface_(surface) {}
+  FaceByFace(Method method, const Surface& surface) : method_(std::move(method)), surface_(surface) {}
 
   bool counts_faces() const { return method_.contract.boundary == Boundary::half_open; }
   bool tells_t() const { return method_.parameter != nullptr; }
@@ -66,7 +67,7 @@ class FaceByFace {
     return different.size();
   }
 
-  const Method& method_;
+  Method method_;
   const Surface& surface_;
 };
 
