@@ -183,6 +183,18 @@ struct PairsOf {
   }
 };
 
+/// Inlined as a whole: a user's loop has no call in it either, nor a hit that goes through memory.
+template <class R, class N = typename R::Number>
+[[gnu::flatten]] bool meets(const Vec3<N>& p, const Vec3<N>& q, const typename R::Prepared& t) {
+  return meet_between<R>(p, q, t).has_value();
+}
+
+/// The same with the triangle prepared on the way.
+template <class R, class N = typename R::Number>
+[[gnu::flatten]] bool prepares_and_meets(const Vec3<N>& p, const Vec3<N>& q, const Corners<N>& corners) {
+  return meet_between<R>(p, q, prepared_of<R>(corners)).has_value();
+}
+
 template <class R>
 NativeLoops native_loops_of() {
   using Pairs = PairsOf<R>;
@@ -191,7 +203,7 @@ NativeLoops native_loops_of() {
     return [pairs = Pairs(given)](std::span<std::uint8_t> hits, std::size_t step) {
       visit_by_steps(hits.size(), step, [&](std::size_t i) {
         const auto& [p, q] = pairs.segments[i];
-        hits[i] = meet_between<R>(p, q, prepared_of<R>(pairs.triangles[i])).has_value();
+        hits[i] = prepares_and_meets<R>(p, q, pairs.triangles[i]);
       });
     };
   };
@@ -203,7 +215,7 @@ NativeLoops native_loops_of() {
                   [pairs](std::span<std::uint8_t> hits, std::size_t step) {
                     visit_by_steps(hits.size(), step, [&](std::size_t i) {
                       const auto& [p, q] = pairs->segments[i];
-                      hits[i] = meet_between<R>(p, q, pairs->prepared[i]).has_value();
+                      hits[i] = meets<R>(p, q, pairs->prepared[i]);
                     });
                   }};
     };

@@ -7,6 +7,19 @@
 namespace tribunal {
 namespace {
 
+/// Inlined as a whole, as in a user's loop.
+template <class K>
+struct Inlined {
+  [[gnu::flatten]] bool operator()(const Segment& s, const Triangle& t) const { return segura_feito(s, t, K{}).hit; }
+};
+
+template <class K>
+Method naive(const KernelDescription& d) {
+  Method m = segura_feito_method(d, K{});
+  m.native = native_loops(Inlined<K>{});
+  return m;
+}
+
 /// Adds the exact twin: the Segura–Feito test without rounding is the reference.
 Method with_exact_twin(Method m) {
   const Method twin = sf_rational();
@@ -17,23 +30,20 @@ Method with_exact_twin(Method m) {
 }  // namespace
 
 Method sf_float() {
-  return with_exact_twin(segura_feito_method(
-      {.number = "binary32", .summary = "five signs in single precision", .format = Format::binary32, .exact = false},
-      FormulaKernel<float>{}));
+  return with_exact_twin(naive<FormulaKernel<float>>(
+      {.number = "binary32", .summary = "five signs in single precision", .format = Format::binary32, .exact = false}));
 }
 
 Method sf_double() {
-  return with_exact_twin(segura_feito_method(
-      {.number = "binary64", .summary = "five signs in double precision", .format = Format::binary64, .exact = false},
-      FormulaKernel<double>{}));
+  return with_exact_twin(naive<FormulaKernel<double>>(
+      {.number = "binary64", .summary = "five signs in double precision", .format = Format::binary64, .exact = false}));
 }
 
 Method sf_double_eps() {
-  return segura_feito_method({.number = "binary64, tolerance 1e-12",
-                              .summary = "five signs in double precision, small volumes called zero",
-                              .format = Format::binary64,
-                              .exact = false},
-                             ToleranceKernel{});
+  return naive<ToleranceKernel>({.number = "binary64, tolerance 1e-12",
+                                 .summary = "five signs in double precision, small volumes called zero",
+                                 .format = Format::binary64,
+                                 .exact = false});
 }
 
 }  // namespace tribunal
