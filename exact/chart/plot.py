@@ -249,7 +249,8 @@ def speed(chart):
         if key[1] == "prepared":
             ax.text(1.015, y, f"{set_up[key[0]]:.0f} ns a triangle", transform=ax.get_yaxis_transform(), fontsize=8,
                     va="center", color="#555555")
-    ax.text(1.015, 1.0, "set-up", transform=ax.transAxes, fontsize=8.5, fontweight="bold", va="bottom")
+    if set_up:
+        ax.text(1.015, 1.0, "set-up", transform=ax.transAxes, fontsize=8.5, fontweight="bold", va="bottom")
     ax.set(xscale="log", ylim=(-0.7, len(order) - 0.3), xlabel="time per test (median; bar: quartiles)")
     ax.set_yticks(range(len(order)), [m if call == "single" else f"{m}, {call}" for m, call in order], fontsize=8.5)
     ax.xaxis.set_major_formatter(FuncFormatter(lambda x, _: nanoseconds(x)))
