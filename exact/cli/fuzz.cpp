@@ -263,9 +263,9 @@ void require_judged(const FuzzPlan& plan, const FuzzReport& report) {
   report.counts.for_each([&](const Cell& c, const Count& count) { judged[c.method] += count.judged(); });
   for (std::size_t m = 0; m < judged.size(); ++m) {
     if (judged[m] > 0) continue;
-    throw Failure(Exit::usage, plan.methods[m].name + ": nothing was judged, its contract owes an answer to none of " +
-                                   std::to_string(report.cases) + " cases (" + in_words(plan.methods[m].contract) +
-                                   ")");
+    throw Failure(Exit::usage, plan.methods[m].name + ": nothing was judged; of " + std::to_string(report.cases) +
+                                   " cases it refused all, or owes them no answer (" +
+                                   in_words(plan.methods[m].contract) + ")");
   }
 }
 

@@ -88,8 +88,8 @@ goes_on 'timed out' 'after 0.2 s' loops --time-limit 0.2
 
 # Chatter on standard output is ours no more; bytes on our own socket are a fault, where one was meant to be answered.
 faulty prints -DFAULT=prints
-expect 0 "${hunt[@]}" --plugin prints.so && says out garbage
-expect 0 "${hunt[@]}" --plugin prints.so --isolate && lacks out garbage && says err garbage && says out '400 cases, seed 2'
+expect 2 "${hunt[@]}" --plugin prints.so && says out garbage && says err "nothing was judged"  # it refuses everything
+expect 2 "${hunt[@]}" --plugin prints.so --isolate && lacks out garbage && says err garbage && says out '400 cases, seed 2'
 faulty writes -DFAULT=writes_everywhere
 goes_on 'gave no answer' 'wrote to our socket' writes
 
