@@ -55,6 +55,7 @@ Method classical_method(const Description& d, Inclusion<N> inside) {
   if (!d.decides_boundary) return m;
   m.segment = [inside](const Segment& s, const Triangle& t) { return ask_triangle<N>(s, t, inside); };
   m.ray = [inside](const Ray& r, const Triangle& t) { return ask_triangle<N>(r, t, inside); };
+  m.native = native_loops([inside](const Segment& s, const Triangle& t) { return ask_triangle<N>(s, t, inside).hit; });
   return m;
 }
 

@@ -57,11 +57,12 @@ N absolute(const N& x) {
 }
 
 /// Whether the sign bit of x is set: where published code compares sign bits, −0 counts as negative. Exact types have
-/// one zero, which does not.
+/// one zero, which does not. The sign bit of a NaN depends on the order in which a compiler multiplies, so it counts as
+/// positive: a test must answer the same in every loop that it is compiled into.
 template <class N>
 bool sign_bit(const N& x) {
   if constexpr (std::is_floating_point_v<N>) {
-    return std::signbit(x);
+    return std::signbit(x) && x <= 0;
   } else {
     return x < 0;
   }

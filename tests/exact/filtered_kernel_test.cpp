@@ -68,7 +68,9 @@ TEST(Filtered, AnswersEveryFamilyAsTheReferenceDoes) {
         expect_reference(ray_of(probe), trial.query.triangle(), tally, family.name.data());
       }
     }
-    EXPECT_GT(tally[Stage::integers], 0U) << family.name << " never left the filter";
+    // Everyday scenes are what the filter is for; every other family must go past it.
+    const bool everyday = family.name == "plain";
+    EXPECT_EQ(tally[Stage::integers] == 0, everyday) << family.name;
   }
 }
 
