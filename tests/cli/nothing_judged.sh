@@ -6,9 +6,9 @@ cd "$scratch"
 cat >rays.c <<'C'
 #include "tribunal_plugin.h"
 static int ask(int probe, const double* query) { (void)probe; (void)query; return 0; }
-static const tribunal_plugin rays = {TRIBUNAL_PLUGIN_ABI, "rays-only", "", "", TRIBUNAL_BINARY64,
-                                     TRIBUNAL_CLOSED, ask, NULL, TRIBUNAL_NO_SEGMENTS, 0, 0, 0,
-                                     NULL, 0, 0, NULL, NULL, NULL};
+static const tribunal_plugin rays = {.abi = TRIBUNAL_PLUGIN_ABI, .name = "rays-only", .summary = "misses every ray",
+                                     .format = TRIBUNAL_BINARY64, .convention = TRIBUNAL_CLOSED, .ask = ask,
+                                     .operands = TRIBUNAL_NO_SEGMENTS};
 const tribunal_plugin* tribunal_plugin_describe(void) { return &rays; }
 C
 plugin rays rays.c
