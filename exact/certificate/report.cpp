@@ -1,11 +1,11 @@
-// Writes a certificate: as JSON for programs, as Markdown for people, as a summary for the terminal.
+// Writes a certificate as Markdown, and as a summary for the terminal.
 #include <algorithm>
 #include <cstdio>
 #include <functional>
 #include <map>
 
 #include "exact/certificate/bounds.h"
-#include "exact/certificate/certificate.h"
+#include "exact/certificate/report_parts.h"
 
 namespace tribunal {
 namespace {
@@ -19,130 +19,6 @@ std::string percent(double rate) {
 std::string rate_of(const Count& c) {
   if (c.judged() == 0) return "-";
   return percent(static_cast<double>(c.wrong) / static_cast<double>(c.judged()));
-}
-
-constexpr Format both_formats[] = {Format::binary64, Format::binary32};
-
-/// Adds what the wrong answers are, where there are any and the log says so.
-void add_outcomes(Json& object, const Count& c) {
-  if (c.wrong > c.unsaid() || c.refused > 0) object.update(outcomes_of(c));
-}
-
-Json to_json(const Count& c) {
-  Json object = {{"asked", c.asked}, {"wrong", c.wrong}, {"unsupported", c.unsupported}};
-  add_outcomes(object, c);
-  return object;
-}
-
-const char* probes_word(bool of_rays) { return of_rays ? "ray" : "segment"; }
-
-Json to_json(const ProvedSet& s) {
-  return {{"set", s.name},          {"probes", probes_word(s.of_rays)}, {"size", s.size},
-          {"classes", s.classes},   {"answers_hash", s.answers_hash},   {"complete", s.complete},
-          {"judged_by", s.oracles}, {"count", to_json(s.count)}};
-}
-
-/// Bounds hold for one stratum; the simultaneous ones for all at once (Bonferroni).
-double simultaneous_alpha(const Certificate& c) { return confidence_alpha / static_cast<double>(c.sampled_strata()); }
-
-bool of_triangles(Slot slot) { return operands_of(slot) == Operands::triangles; }
-
-Json to_json(const Certificate& c, const Stratum& s) {
-  const SampledStream& stream = c.streams[s.stream];
-  Json row;
-  row[of_triangles(s.slot) ? "class" : "case"] = slot_name(s.slot);
-  row["probe"] = probes_word(is_of_rays(s.slot));
-  row["family"] = stream.family;
-  row["fmt"] = name_of(stream.format);
-  row["n"] = s.count.judged();
-  row["k"] = s.count.wrong;
-  row["unsupported"] = s.count.unsupported;
-  add_outcomes(row, s.count);
-  for (const Stage stage : c.stages) row["from_" + c.word_of(stage)] = s.count.at(stage);
-  if (c.is_own(s)) return row;
-  row["upper_95"] = upper_bound(s.count.wrong, s.count.judged(), confidence_alpha);
-  row["upper_95_simultaneous"] = upper_bound(s.count.wrong, s.count.judged(), simultaneous_alpha(c));
-  return row;
-}
-
-Json proved_json(const Certificate& c) {
-  Json rows = Json::array();
-  for (const ProvedSet& s : c.proved) rows.push_back(to_json(s));
-  return rows;
-}
-
-Json streams_json(const Certificate& c) {
-  Json rows = Json::array();
-  for (const SampledStream& s : c.streams) {
-    rows.push_back({{"family", s.family},
-                    {"fmt", name_of(s.format)},
-                    {"population", s.population},
-                    {"judged_by", s.judged_by},
-                    {"cases", s.cases}});
-  }
-  return rows;
-}
-
-/// Of the sampled strata, or of one's own cases.
-Json strata_json(const Certificate& c, bool own) {
-  Json rows = Json::array();
-  for (const Stratum& s : c.strata) {
-    if (c.is_own(s) == own && s.count.judged() > 0) rows.push_back(to_json(c, s));
-  }
-  return rows;
-}
-
-Json gaps_json(const Certificate& c) {
-  Json rows = Json::array();
-  for (const Gap& g : c.gaps) rows.push_back({{"what", g.what}, {"reason", g.reason}, {"explained", g.explained}});
-  return rows;
-}
-
-Json calibration_json(const Certificate& c) {
-  Json rows = Json::object();
-  for (const auto& [method, counts] : c.calibration) {
-    if (!c.says_outcomes()) rows[method] = to_json(counts.total());
-    for (const Format format : both_formats) {
-      if (c.says_outcomes() && counts.of(format).asked > 0) {
-        rows[method][std::string(name_of(format))] = to_json(counts.of(format));
-      }
-    }
-  }
-  return rows;
-}
-
-Json coverage_json(const Certificate& c, Format format, const SlotGroup& group, const char* judged) {
-  Json row = {{judged, c.coverage.judged(format, group)}, {"of", group.size}};
-  if (!group.finest) return row;
-  for (const Stage stage : c.stages) {
-    row["from_" + c.word_of(stage)] = c.coverage.judged(format, group, stage);
-  }
-  return row;
-}
-
-/// The classes of the group: the 163 of segments, or those of rays.
-Json classes_json(const Certificate& c, const SlotGroup& group) {
-  Json rows = Json::object();
-  for (const Format format : {Format::binary64, Format::binary32}) {
-    rows[std::string(name_of(format))] = coverage_json(c, format, group, "classes");
-  }
-  return rows;
-}
-
-Json polygons_json(const Certificate& c) {
-  Json rows = Json::object();
-  for (const Format format : {Format::binary64, Format::binary32}) {
-    for (const SlotGroup& group : c.coverage.groups(Operands::polygons)) {
-      rows[std::string(name_of(format))][group.name] = coverage_json(c, format, group, "judged");
-    }
-  }
-  return rows;
-}
-
-Json environment_json(const Certificate& c) {
-  Json e = c.environment;
-  e.erase("record");
-  return e;
 }
 
 /// One more cell of a row of a table, which older logs have not: what the wrong answers are.
@@ -343,16 +219,6 @@ std::string own_section(const Certificate& c) {
   return text + "\nWhere it was wrong:\n\n" + worst_classes(c, true) + "\n";
 }
 
-/// The number of counterexamples with each fault.
-std::map<std::string, std::size_t> faults_in(const Certificate& c) {
-  std::map<std::string, std::size_t> faults;
-  for (const Json& line : c.counterexamples) {
-    const Json finding = line.value("finding", Json::object());
-    if (finding.contains("fault")) ++faults[finding["fault"].get<std::string>()];
-  }
-  return faults;
-}
-
 /// One line a fault, each with this before it.
 std::string fault_lines(const Certificate& c, const std::string& before) {
   std::string text;
@@ -375,32 +241,6 @@ const char* coverage_word(const Certificate& c) { return c.coverage.has(Operands
 std::string word(const Certificate& c, const char* key) { return c.plan[key]; }
 
 }  // namespace
-
-Json to_json(const Certificate& c) {
-  Json object = c.plan;
-  object.erase("record");
-  object["convention"] = name_of(c.contract.convention);
-  object["contract"] = in_words(c.contract);
-  object["verdict"] = name_of(c.verdict);
-  if (c.says_outcomes()) object["worst"] = c.worst();
-  const bool polygons = c.coverage.has(Operands::polygons);
-  if (!polygons || c.coverage.has(Operands::triangles)) {
-    object["classes_judged"] = classes_json(c, slot_groups(Operands::triangles)[0]);
-    object["ray_classes_judged"] = classes_json(c, slot_groups(Operands::triangles)[1]);
-  }
-  if (polygons) object["polygons_judged"] = polygons_json(c);
-  object["proved"] = proved_json(c);
-  object["streams"] = streams_json(c);
-  object["sampled"] = strata_json(c, false);
-  if (c.has_own()) object["own_cases"] = strata_json(c, true);
-  object["not_covered"] = gaps_json(c);
-  object["calibration"] = calibration_json(c);
-  object["counterexamples"] = c.counterexamples.size();
-  if (const auto faults = faults_in(c); !faults.empty()) object["faults"] = faults;
-  object["environment"] = environment_json(c);
-  object["log_sha256"] = c.log_head;
-  return object;
-}
 
 std::string to_markdown(const Certificate& c) {
   std::string text =

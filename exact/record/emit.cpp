@@ -3,9 +3,9 @@
 #include <cctype>
 #include <cstdio>
 
-#include "core/kernel.h"
 #include "exact/base/failure.h"
 #include "exact/kernels/rational_kernel.h"
+#include "exact/record/five_signs.h"
 #include "exact/trial/describe.h"
 
 namespace tribunal {
@@ -99,19 +99,10 @@ std::string gtest_file(const std::vector<Parts>& all, const std::string& functio
 }
 
 std::string signs_of(const Query& query) {
-  const RationalKernel k;
-  const Triangle& t = query.triangle();
-  const auto signs = [&](const auto& probe) {
-    const Point3& p = source(probe);
-    const auto& q = target(probe);
-    std::string text;
-    for (const Sign s : {k.orient3d(t.a, t.b, t.c, p), k.orient3d(t.a, t.b, t.c, q), k.orient3d(p, t.a, t.b, q),
-                         k.orient3d(p, t.b, t.c, q), k.orient3d(p, t.c, t.a, q)}) {
-      text += (text.empty() ? "" : ", ") + std::to_string(value(s));
-    }
-    return text;
-  };
-  return std::visit(signs, query.probe);
+  std::string text;
+  for (const Sign s : five_signs(query, RationalKernel{}))
+    text += (text.empty() ? "" : ", ") + std::to_string(value(s));
+  return text;
 }
 
 constexpr const char* python_head = R"(from fractions import Fraction

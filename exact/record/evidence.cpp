@@ -1,6 +1,7 @@
 // The exact signs that decide a case, for counterexamples.
 #include "exact/kernels/rational_kernel.h"
 #include "exact/record/counterexample.h"
+#include "exact/record/five_signs.h"
 
 namespace tribunal {
 namespace {
@@ -15,15 +16,9 @@ HitParameter<Dyadic> parameter(const Segment& s, const Triangle& t) {
 
 template <class P>
 Json evidence(const P& probe, const Triangle& t) {
-  const RationalKernel k;
-  const Point3& p = source(probe);
-  const auto& q = target(probe);
   Json object;
-  object["abcp"] = value(k.orient3d(t.a, t.b, t.c, p));
-  object["abcq"] = value(k.orient3d(t.a, t.b, t.c, q));
-  object["pqab"] = value(k.orient3d(p, t.a, t.b, q));
-  object["pqbc"] = value(k.orient3d(p, t.b, t.c, q));
-  object["pqca"] = value(k.orient3d(p, t.c, t.a, q));
+  const auto signs = five_signs({probe, t}, RationalKernel{});
+  for (std::size_t i = 0; i < signs.size(); ++i) object[five_sign_names[i]] = value(signs[i]);
   const HitParameter<Dyadic> at = parameter(probe, t);
   if (sign_of(at.den) != Sign::zero) {
     object["t"] = mpq_class(at.num.fraction() / at.den.fraction()).get_str();

@@ -1,12 +1,13 @@
 #include "exact/report/page_parts.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstdio>
 
-#include "core/kernel.h"
 #include "exact/classes/class_table.h"
 #include "exact/methods/methods.h"
+#include "exact/record/five_signs.h"
 #include "exact/report/html.h"
 
 namespace tribunal {
@@ -54,11 +55,9 @@ constexpr SignRow sign_rows[] = {
 
 /// The five signs as rounded arithmetic has them, in the order of the table.
 std::array<int, 5> rounded_signs(const Case& c) {
-  const FormulaKernel<double> k;
-  const auto& [p, q] = std::get<Segment>(c.query.probe);
-  const Triangle& t = c.query.triangle();
-  return {value(k.orient3d(t.a, t.b, t.c, p)), value(k.orient3d(t.a, t.b, t.c, q)), value(k.orient3d(p, t.a, t.b, q)),
-          value(k.orient3d(p, t.b, t.c, q)), value(k.orient3d(p, t.c, t.a, q))};
+  std::array<int, 5> signs;
+  std::ranges::transform(five_signs(c.query, FormulaKernel<double>{}), signs.begin(), [](Sign s) { return value(s); });
+  return signs;
 }
 
 std::array<int, 5> exact_signs(const Case& c) {

@@ -3,15 +3,18 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/longest_axis.h"
+
 namespace tribunal::leak {
 namespace {
 
 /// The centre of a box on an axis; each bound is halved first, so that the sum does not overflow.
 double centre(const Box& b, int axis) { return b.lo[axis] / 2 + b.hi[axis] / 2; }
 
-int longest_axis(const Box& b) {
-  const auto length = [&](int axis) { return b.hi[axis] / 2 - b.lo[axis] / 2; };
-  return length(0) >= length(1) && length(0) >= length(2) ? 0 : length(1) >= length(2) ? 1 : 2;
+/// Along which the box is longest; halves are taken first, as for the centre.
+int axis_to_split(const Box& b) {
+  const Point3 half = b.hi / 2.0 - b.lo / 2.0;
+  return static_cast<int>(longest_axis(lift<double>(half)));
 }
 
 Box widened(const Box& b, double margin) { return {b.lo - margin, b.hi + margin}; }
@@ -35,7 +38,7 @@ Box FaceBoxes::box_over(std::uint32_t first, std::uint32_t end) const {
 void FaceBoxes::split(std::uint32_t node) {
   const Node whole = nodes_[node];
   if (whole.end - whole.first <= leaf_size) return;
-  const int axis = longest_axis(whole.box);
+  const int axis = axis_to_split(whole.box);
   const std::uint32_t middle = whole.first + (whole.end - whole.first) / 2;
   std::nth_element(order_.begin() + whole.first, order_.begin() + middle, order_.begin() + whole.end,
                    [&](std::uint32_t a, std::uint32_t b) {
