@@ -15,6 +15,7 @@ std::span<const Family> triangle_families() {
       midpoint_family(), sliver_family(),   grazing_family(),   distance_family(), near_family(),
       flip_family(),     shared_family(),   mesh_family(),      tilt_family(),     spread_family(),
       extreme_family(),  overflow_family(), direction_family(), size_family(),     plain_family(),
+      bounds_family(),
   };
   return table;
 }

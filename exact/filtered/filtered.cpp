@@ -5,6 +5,7 @@
 #include "exact/filtered/filtered_kernel.h"
 #include "exact/filtered/stages/exact_stages.h"
 #include "exact/filtered/term_filter.h"
+#include "exact/filtered/within_filter.h"
 
 namespace tribunal {
 
@@ -46,7 +47,22 @@ Answer staged_classify(const P& probe, const Triangle& t) {
   return answer;
 }
 
+[[gnu::noinline]] Answer intersect_within_exactly(const Ray& r, const Bounds& bounds, const Triangle& t) {
+  if (!all_finite(r, t) || !is_finite(bounds)) return refusal(Status::nonfinite);
+  const DefaultRounding in_this_scope;
+  Answer answer = segura_feito(r, bounds, t, RationalKernel{});
+  answer.stage = Stage::exact;
+  return answer;
+}
+
 }  // namespace
+
+bool hits(const Ray& r, const Bounds& bounds, const Triangle& t) { return intersect(r, bounds, t).hit; }
+
+Answer intersect(const Ray& r, const Bounds& bounds, const Triangle& t) {
+  const std::optional<bool> hit = is_finite(bounds) ? filter_hits_within(r, bounds, t) : std::nullopt;
+  return hit ? certain(*hit) : intersect_within_exactly(r, bounds, t);
+}
 
 bool hits_exactly(const Segment& s, const Triangle& t) { return intersect_exactly(s, t).hit; }
 bool hits_exactly(const Ray& r, const Triangle& t) { return intersect_exactly(r, t).hit; }

@@ -54,6 +54,12 @@ Answer intersect(const Segment& s, const Triangle& t);
 Answer intersect(const Ray& r, const Triangle& t);
 Answer intersect(const TrianglePair& pair);
 
+/// Of the part tmin ≤ t ≤ tmax of the ray {o + t·d}: whether it has a point in common with the closed triangle. Both
+/// bounds are closed and taken as the exact numbers they are; tmin ≥ 0 must be finite, tmax ≥ tmin may be +∞. The contact
+/// is the ray's where the ray crosses the plane, also where tmin = tmax; `at` says `source` at tmin, `target` at tmax.
+bool hits(const Ray& r, const Bounds& bounds, const Triangle& t);
+Answer intersect(const Ray& r, const Bounds& bounds, const Triangle& t);
+
 /// The answer of `intersect` where the filter is certain: all volumes are nonzero, so the contact is in general
 /// position.
 constexpr Answer certain(bool hit) {

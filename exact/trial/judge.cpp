@@ -20,10 +20,20 @@ std::array<Facts, all_class_count + 1> facts_of_classes() {
   return facts;
 }
 
+/// What the bounds leave of the ray. In a plane they may leave a boundary contact or none.
+void narrow(Facts& facts, const Truth& truth) {
+  facts.bounded = true;
+  facts.contact = truth.contact;
+  facts.at = truth.at;
+  facts.at_origin = truth.at_origin;
+  facts.boundary &= truth.hit();
+}
+
 Facts facts_of_triangle(const Truth& truth) {
   static const auto by_class = facts_of_classes();
   Facts facts = by_class[truth.class_id];
   facts.facing = truth.facing;
+  if (truth.bounded) narrow(facts, truth);
   return facts;
 }
 
