@@ -82,8 +82,8 @@ CrossingSigns crossing_signs(Axis dropped, const P& probe, const Point3& a, cons
 }
 
 /// Closed probe against closed segment ab, not all on one line. Each must reach the other's line. If either is a
-/// point, its own two signs vanish and the other pair, equal and nonzero, rejects; so no case split is needed. A part of
-/// a ray that is a point has its ray's line, and meets ab where it lies on the line ab and ab reaches its own.
+/// point, its own two signs vanish and the other pair, equal and nonzero, rejects; so no case split is needed. A part
+/// of a ray that is a point has its ray's line, and meets ab where it lies on the line ab and ab reaches its own.
 template <class X>
 bool crosses(const CrossingSigns& s, const X& probe_target) {
   return reaches(s.source_of_ab, s.target_of_ab, probe_target) && value(s.a_of_probe) * value(s.b_of_probe) <= 0;

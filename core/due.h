@@ -8,10 +8,6 @@
 
 namespace tribunal {
 
-/// From which side a probe crosses a triangle. `front`: the vertices run counterclockwise as seen from the source.
-/// `unsaid` where it does not cross: there is no contact, it is coplanar, or the target is a polygon.
-enum class Facing : std::uint8_t { unsaid, front, back };
-
 /// The exact facts of a case on which a contract can depend.
 struct Facts {
   bool of_ray = false;
@@ -20,8 +16,8 @@ struct Facts {
   bool degenerate = false;  ///< the triangle has no area, or the probe is a point
   bool planar = true;       ///< the polygon's vertices lie in one plane
   Contact contact = Contact::none;
-  bool boundary = false;  ///< an edge or a vertex of the target is met
-  At at = At::unsaid;     ///< `between`: no end of the probe is in contact; `unsaid`: not known, or many points
+  bool boundary = false;   ///< an edge or a vertex of the target is met
+  At at = At::unsaid;      ///< `between`: no end of the probe is in contact; `unsaid`: not known, or many points
   bool at_origin = false;  ///< of a ray with bounds: the contact is at t = 0
   Facing facing = Facing::unsaid;
 };
@@ -41,8 +37,8 @@ constexpr Due in_plane(const Contract& c, const Facts& f, Boundary boundary) {
   if (c.convention == Convention::transversal) return Due::miss;
   if (c.convention == Convention::unspecified) return Due::nothing;
   const bool reads_bounds = f.bounded && c.bounds != Ends::closed;
-  const bool turns_on_more =
-      c.ends != Ends::closed || reads_bounds || c.culling != Culling::none || (f.boundary && boundary != Boundary::closed);
+  const bool turns_on_more = c.ends != Ends::closed || reads_bounds || c.culling != Culling::none ||
+                             (f.boundary && boundary != Boundary::closed);
   return turns_on_more ? Due::nothing : Due::hit;
 }
 

@@ -33,8 +33,8 @@ concept Kernel = requires(const K& k, const Point3& p, const Direction& d, Axis 
 };
 
 /// A kernel that also answers where a point o + t·d of a ray lies, by the ray's own numbers: the sign of the volume
-/// a b c x is then that of V(o) + t·V(d), where V are volumes over a b c. So it says whether a ray reaches a plane before
-/// or after t, without division. The laws of a kernel hold for such an x as for a point.
+/// a b c x is then that of V(o) + t·V(d), where V are volumes over a b c. So it says whether a ray reaches a plane
+/// before or after t, without division. The laws of a kernel hold for such an x as for a point.
 template <class K>
 concept BoundsKernel = Kernel<K> && requires(const K& k, const Point3& p, const RayPoint& x, Axis axis) {
   { k.orient3d(p, p, p, x) } -> std::same_as<Sign>;

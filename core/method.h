@@ -58,6 +58,7 @@ struct Method {
   Contract contract{};
   std::vector<Stage> stages{};  ///< the stages that can decide its answers; empty if it has none
   bool tells_contact = false;   ///< its answers say which part of the target is met
+  bool tells_side = false;      ///< its answers say from which side a triangle is crossed
   bool on_tree_lanes =
       false;  ///< its filter is the one that the tree's vector lanes compute; goes with `segment`, `ray`
 

@@ -12,8 +12,8 @@ namespace tribunal {
 
 namespace detail {
 
-/// Whether the probe's line lies in the plane in which its ends lie. Of a part of a ray these may be one point, at which
-/// the line crosses the plane.
+/// Whether the probe's line lies in the plane in which its ends lie. Of a part of a ray these may be one point, at
+/// which the line crosses the plane.
 template <Kernel K, class P>
 bool line_lies_with_ends(const P&, const Triangle&, const K&) {
   return true;
@@ -39,8 +39,9 @@ Sign side_before(Sign source_side, Sign target_side, const P& probe, const Trian
 /// on one side iff it runs through the triangle; reversing probe or triangle flips all signs, so one loop serves
 /// all. Cost: 2 signs for a probe that misses the plane, 3 to 5 otherwise; coplanar operands go to `coplanar`.
 ///
-/// Law: for an exact kernel, hit ⇔ the closed point sets meet; contact is `coplanar` iff they lie in one plane. Of a part
-/// of a ray, which may be a point where the ray crosses the triangle, `coplanar` means that the ray lies in the plane.
+/// Law: for an exact kernel, hit ⇔ the closed point sets meet; contact is `coplanar` iff they lie in one plane. Of a
+/// part of a ray, which may be a point where the ray crosses the triangle, `coplanar` means that the ray lies in the
+/// plane.
 template <Kernel K, class P>
 Answer segura_feito(const P& probe, const Triangle& t, const K& k) {
   const Point3& p = base(probe);
@@ -61,7 +62,9 @@ Answer segura_feito(const P& probe, const Triangle& t, const K& k) {
   }
   constexpr Contact contacts[] = {Contact::interior, Contact::edge, Contact::vertex, Contact::vertex};
   const At at = source_side == Sign::zero ? At::source : target_side == Sign::zero ? At::target : At::between;
-  return hit_at(contacts[touched], at);
+  Answer answer = hit_at(contacts[touched], at);
+  answer.facing = side == Sign::positive ? Facing::front : Facing::back;
+  return answer;
 }
 
 /// The same for the part of the ray within the bounds.

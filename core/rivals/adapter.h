@@ -126,8 +126,8 @@ HitOf<R> meet(const P& probe, const Triangle& t) {
   return meet<R>(probe, prepared<R>(t));
 }
 
-/// The hit of the ray with tmin ≤ t ≤ tmax, in the test's own arithmetic: the bounds are rounded to its number type, and
-/// its own t is compared with them.
+/// The hit of the ray with tmin ≤ t ≤ tmax, in the test's own arithmetic: the bounds are rounded to its number type,
+/// and its own t is compared with them.
 template <class R, class N = typename R::Number>
 HitOf<R> meet(const Ray& r, const Bounds& bounds, const Triangle& t) {
   const N least = static_cast<N>(bounds.tmin);
@@ -137,16 +137,24 @@ HitOf<R> meet(const Ray& r, const Bounds& bounds, const Triangle& t) {
   return hit;
 }
 
+/// A hit of a test that culls is one from the front.
+template <class R>
+Answer hit_of_rival() {
+  Answer answer = hit_at(Contact::unsaid);
+  if (R::contract.culling == Culling::back_faces) answer.facing = Facing::front;
+  return answer;
+}
+
 /// A rival computes coordinates of the hit, not signs, so it does not say which contact a hit is.
 template <class R, class P, class T>
 Answer answer_of(const P& probe, const T& t) {
   if (std::is_same_v<P, Ray> && !takes_rays<R>) return refusal(Status::unsupported);
-  return meet<R>(probe, t) ? hit_at(Contact::unsaid) : miss();
+  return meet<R>(probe, t) ? hit_of_rival<R>() : miss();
 }
 
 template <class R>
 Answer answer_within(const Ray& r, const Bounds& bounds, const Triangle& t) {
-  if constexpr (takes_rays<R>) return meet<R>(r, bounds, t) ? hit_at(Contact::unsaid) : miss();
+  if constexpr (takes_rays<R>) return meet<R>(r, bounds, t) ? hit_of_rival<R>() : miss();
   return refusal(Status::unsupported);
 }
 
@@ -272,6 +280,7 @@ Method rival_method() {
            .segment = answer_of<R, Segment, Triangle>,
            .ray = answer_of<R, Ray, Triangle>};
   m.contract.format = format;
+  m.tells_side = R::contract.culling == Culling::back_faces;
   if constexpr (takes_rays<R>) {
     m.contract.probes.bounds = true;
     m.within = answer_within<R>;

@@ -235,6 +235,7 @@ Json from_answer(const Case& c, const Method& method, const Answer& answer) {
   if (answer.class_id != 0) object["class"] = class_name(answer.class_id);
   if (answered && answer.contact != Contact::unsaid) object["contact"] = name_of(answer.contact);
   if (answer.at != At::unsaid) object["at"] = name_of(answer.at);
+  if (method.tells_side && answer.facing != Facing::unsaid) object["side"] = name_of(answer.facing);
   if (answer.stage != Stage::none) object["stage"] = name_of(answer.stage);
   const bool tells_planar = c.query.operands() == Operands::polygons && method.contract.polygons == Polygons::any;
   if (answered && tells_planar) object["planar"] = answer.planar;

@@ -1,5 +1,6 @@
 #include "exact/filtered/filtered.h"
 
+#include "core/due.h"
 #include "core/segura_feito.h"
 #include "exact/classes/classify.h"
 #include "exact/filtered/filtered_kernel.h"
@@ -16,6 +17,14 @@ namespace {
 bool all_finite(const Segment& s, const Triangle& t) { return is_finite(s) && is_finite(t); }
 bool all_finite(const Ray& r, const Triangle& t) { return is_finite(r) && is_finite(t); }
 
+/// A certain answer, which says the side too.
+template <class P>
+Answer certain(bool hit, const P& probe, const Triangle& t) {
+  Answer answer = tribunal::certain(hit);
+  if (hit) answer.facing = facing(probe, t, FilteredKernel());
+  return answer;
+}
+
 template <class P>
 [[gnu::noinline]] Answer intersect_exactly(const P& probe, const Triangle& t) {
   if (!all_finite(probe, t)) return refusal(Status::nonfinite);
@@ -29,13 +38,16 @@ template <class P>
 template <class P>
 [[gnu::noinline]] Answer intersect_past_filter(const P& probe, const Triangle& t) {
   const std::optional<bool> hit = filter_hits_by_terms(probe, t, volume_terms_filter);
-  return hit ? certain(*hit) : intersect_exactly(probe, t);
+  return hit ? certain(*hit, probe, t) : intersect_exactly(probe, t);
 }
 
 template <class P>
 [[gnu::flatten]] Answer staged_intersect(const P& probe, const Triangle& t) {
-  const std::optional<bool> hit = filter_hits(probe, t, pair_filter<P>);
-  return hit ? certain(*hit) : intersect_past_filter(probe, t);
+  const auto c = conclude<P>(arms_of<double>(probe, t), pair_filter<P>);
+  if (c.hit == c.miss) return intersect_past_filter(probe, t);
+  Answer answer = tribunal::certain(c.hit);
+  if (c.hit) answer.facing = c.volumes.sides.toward < 0 ? Facing::front : Facing::back;
+  return answer;
 }
 
 template <class P>
@@ -61,7 +73,7 @@ bool hits(const Ray& r, const Bounds& bounds, const Triangle& t) { return inters
 
 Answer intersect(const Ray& r, const Bounds& bounds, const Triangle& t) {
   const std::optional<bool> hit = is_finite(bounds) ? filter_hits_within(r, bounds, t) : std::nullopt;
-  return hit ? certain(*hit) : intersect_within_exactly(r, bounds, t);
+  return hit ? certain(*hit, r, t) : intersect_within_exactly(r, bounds, t);
 }
 
 bool hits_exactly(const Segment& s, const Triangle& t) { return intersect_exactly(s, t).hit; }

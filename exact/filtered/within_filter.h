@@ -1,9 +1,9 @@
 // The filter of a ray with bounds: whether the part tmin ≤ t ≤ tmax certainly meets a triangle.
 //
-// The point o + t·d lies on the side of the plane that V(o) + t·V(d) tells, where V are volumes over the triangle: det of
-// its arms u, v and of o − a or d. Both are computed with the sums of their terms' magnitudes (term_filter.h), so the
-// sum is off by 10 units of its own sum of terms at most: 8 in each volume, the product with t and the addition. Proved:
-// within.g, and within_range.g for underflow and overflow; 11 are taken.
+// The point o + t·d lies on the side of the plane that V(o) + t·V(d) tells, where V are volumes over the triangle: det
+// of its arms u, v and of o − a or d. Both are computed with the sums of their terms' magnitudes (term_filter.h), so
+// the sum is off by 10 units of its own sum of terms at most: 8 in each volume, the product with t and the addition.
+// Proved: within.g, and within_range.g for underflow and overflow; 11 are taken.
 #pragma once
 
 #include <bit>
@@ -25,8 +25,8 @@ std::optional<Sign> filter_side(const Expansion<N>& height, const Expansion<N>& 
   return sign_beyond<N>(value, N(c.k * terms) + c.tiny);
 }
 
-/// Whether t is 0, or within the range that the filter's constants allow for. By its bits: a subnormal number, which the
-/// thread may read as zero, is not 0.
+/// Whether t is 0, or within the range that the filter's constants allow for. By its bits: a subnormal number, which
+/// the thread may read as zero, is not 0.
 inline bool is_in_side_range(double t) {
   return (t >= 0x1p-150 && t <= 0x1p150) || (std::bit_cast<std::uint64_t>(t) << 1) == 0;
 }
@@ -79,9 +79,10 @@ inline std::optional<bool> filter_line_crosses(const Ray& r, const Triangle& t) 
 
 /// Whether the part of the ray certainly meets or certainly misses the triangle; nothing where rounding could matter.
 ///
-/// A miss where the whole ray misses (shared_volumes.h), or both ends of the part lie strictly on one side of the plane,
-/// or the line passes two edges on different sides. A hit where the ends lie strictly on different sides and the line
-/// passes the edges on one: then the plane is crossed between the ends, inside the triangle. All bounds must be numbers.
+/// A miss where the whole ray misses (shared_volumes.h), or both ends of the part lie strictly on one side of the
+/// plane, or the line passes two edges on different sides. A hit where the ends lie strictly on different sides and the
+/// line passes the edges on one: then the plane is crossed between the ends, inside the triangle. All bounds must be
+/// numbers.
 inline std::optional<bool> filter_hits_within(const Ray& r, const Bounds& bounds, const Triangle& t) {
   const auto whole = conclude<Ray>(arms_of<double>(r, t), pair_filter<Ray>);
   if (whole.miss) return false;

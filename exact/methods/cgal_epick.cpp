@@ -69,8 +69,8 @@ struct VolumeAlong {
 
   result_type operator()(const Point& a, const Point& b, const Point& c, const Point& o, const CGAL::Vector_3<K>& d,
                          const Point& t) const {
-    return CGAL::sign(det3<FT>(coordinates(b) - coordinates(a), coordinates(c) - coordinates(a),
-                               arm_along<K>(a, o, d, t.x())));
+    return CGAL::sign(
+        det3<FT>(coordinates(b) - coordinates(a), coordinates(c) - coordinates(a), arm_along<K>(a, o, d, t.x())));
   }
 };
 

@@ -59,6 +59,7 @@ Method sf_filtered() {
       .contract = {.probes = {.bounds = true}, .polygons = Polygons::any, .exact = true},
       .stages = {std::begin(deciding_stages), std::end(deciding_stages)},
       .tells_contact = true,
+      .tells_side = true,
       .on_tree_lanes = true,
       .segment = [](const Segment& s, const Triangle& t) { return intersect(s, t); },
       .ray = [](const Ray& r, const Triangle& t) { return intersect(r, t); },

@@ -26,12 +26,13 @@ struct Introduction {
 std::optional<Introduction> introduction_in(std::vector<char> bytes);
 
 /// How queries are to be asked. About triangles: one after the other; by one call of the plugin's batch function; one
-/// query by the function that also describes the hit; or one query after preparing its triangle.
-enum class Kind : int { each, batch, tell, prepared, polygon };
+/// query by the function that also describes the hit; one query after preparing its triangle; or one ray with bounds.
+enum class Kind : int { each, batch, tell, prepared, within, polygon };
 
 Message question(Kind kind, int probe, std::size_t n, const double* queries);
 Message question(int probe, const double* triangle, const double* coordinates);
 Message question(int probe, const double* coordinates, const tribunal_polygon& polygon);
+Message question_within(const double* query, const double* bounds);
 
 /// The reply of a child: one answer to each query, or the fault.
 struct Reply {

@@ -45,8 +45,7 @@ Json from_probes(const Probes& probes) {
 
 Probes to_probes(const Json& names, const Where& where) {
   const auto has = [&](const char* name) { return std::ranges::find(names, Json(name)) != names.end(); };
-  if (!names.is_array() ||
-      names.size() != static_cast<std::size_t>(has("segment") + has("ray") + has("bounded ray"))) {
+  if (!names.is_array() || names.size() != static_cast<std::size_t>(has("segment") + has("ray") + has("bounded ray"))) {
     where.fail("expected a list of \"segment\", \"ray\" and \"bounded ray\"");
   }
   return {.segments = has("segment"), .rays = has("ray"), .bounds = has("bounded ray")};
@@ -55,11 +54,16 @@ Probes to_probes(const Json& names, const Where& where) {
 }  // namespace
 
 Json from_contract(const Contract& c) {
-  return {{"probes", from_probes(c.probes)}, {"triangles", name_of(c.triangles)},
-          {"polygons", name_of(c.polygons)}, {"coplanar", name_of(c.convention)},
-          {"boundary", name_of(c.boundary)}, {"polygon_boundary", name_of(c.polygon_boundary)},
-          {"ends", name_of(c.ends)},         {"bounds", name_of(c.bounds)},
-          {"culling", name_of(c.culling)},   {"fmt", name_of(c.format)},
+  return {{"probes", from_probes(c.probes)},
+          {"triangles", name_of(c.triangles)},
+          {"polygons", name_of(c.polygons)},
+          {"coplanar", name_of(c.convention)},
+          {"boundary", name_of(c.boundary)},
+          {"polygon_boundary", name_of(c.polygon_boundary)},
+          {"ends", name_of(c.ends)},
+          {"bounds", name_of(c.bounds)},
+          {"culling", name_of(c.culling)},
+          {"fmt", name_of(c.format)},
           {"exact", c.exact}};
 }
 

@@ -51,8 +51,10 @@ struct Worker {
   std::vector<Answer> answers{};
 };
 
-bool one_culls(const std::vector<Method>& methods) {
-  return std::ranges::any_of(methods, [](const Method& m) { return m.contract.culling != Culling::none; });
+/// Whether the side from which a triangle is crossed matters to one of them.
+bool one_faces(const std::vector<Method>& methods) {
+  return std::ranges::any_of(methods,
+                             [](const Method& m) { return m.tells_side || m.contract.culling != Culling::none; });
 }
 
 Truth truth_in(const FuzzPlan& plan, std::size_t stream, std::uint64_t k, const Trial& trial, Worker& worker) {
@@ -61,7 +63,7 @@ Truth truth_in(const FuzzPlan& plan, std::size_t stream, std::uint64_t k, const 
     ++worker.audited;
     return audited_truth(trial, plan.quick);
   }
-  return one_culls(plan.methods) ? quick_truth_with_facing(trial, plan.quick) : quick_truth(trial, plan.quick);
+  return one_faces(plan.methods) ? quick_truth_with_facing(trial, plan.quick) : quick_truth(trial, plan.quick);
 }
 
 void make_chunk(const FuzzPlan& plan, std::size_t stream, std::uint64_t first_k, std::uint64_t end_k, Worker& worker) {

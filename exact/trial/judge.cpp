@@ -37,9 +37,15 @@ Facts facts_of_triangle(const Truth& truth) {
   return facts;
 }
 
+/// Neither is unsaid, and they differ.
+bool tells_other_side(Facing told, Facing exact) {
+  return told != Facing::unsaid && exact != Facing::unsaid && told != exact;
+}
+
 /// What the method tells beside hit or miss is wrong. Batch forms may leave the contact unsaid.
 bool tells_wrongly(const Method& method, const Truth& truth, const Answer& answer) {
   if (method.contract.exact && answer.planar != truth.planar) return true;
+  if (method.tells_side && answer.hit && tells_other_side(answer.facing, truth.facing)) return true;
   return method.tells_contact && answer.hit && answer.contact != Contact::unsaid && answer.contact != truth.contact;
 }
 

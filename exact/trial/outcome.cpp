@@ -140,8 +140,9 @@ const char* words_of(Cause c) {
 Severity severity_of(const Query& query, const Truth& truth) {
   if (!is_everyday(query)) return Severity::extreme;
   const auto general = [](const auto& probe, const auto& target) { return is_general(probe, target); };
-  return is_exactly_generic(truth) && has_clear_bounds(query) && std::visit(general, query.probe, query.target) ? Severity::plain
-                                                                                     : Severity::boundary;
+  return is_exactly_generic(truth) && has_clear_bounds(query) && std::visit(general, query.probe, query.target)
+             ? Severity::plain
+             : Severity::boundary;
 }
 
 Cause cause_of(const Method& method, const Query& query, const Truth& truth, Outcome outcome) {
