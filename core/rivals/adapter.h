@@ -283,6 +283,7 @@ Method rival_method() {
   m.tells_side = R::contract.culling == Culling::back_faces;
   if constexpr (takes_rays<R>) {
     m.contract.probes.bounds = true;
+    m.contract.bounds = R::contract.ends;
     m.within = answer_within<R>;
     m.compare_hits = rival_detail::nearer<R>;
     m.parameter = rival_detail::parameter_of<R>;
