@@ -1,6 +1,7 @@
 // Probes far longer or shorter than the triangle.
 #include <cmath>
 
+#include "exact/cases/families/placing.h"
 #include "exact/cases/families/probe.h"
 #include "exact/cases/families/shapes.h"
 #include "exact/cases/families/table.h"
@@ -13,14 +14,14 @@ constexpr int distances_32[] = {-100, -40, -20, -10, 0, 10, 14, 20, 40, 100};
 
 constexpr auto levels = by_format<distances_64, distances_32>;
 
-/// A vector about 2^level long; half of the long ones run along one axis, so that the other coordinates keep their
+/// A vector about 2^distance long; half of the long ones run along one axis, so that the other coordinates keep their
 /// bits.
-Point3 draw_reach(Draw& draw, Format format, int level) {
+Point3 draw_reach(Draw& draw, Format format, int distance) {
   Point3 n = draw_point(draw, format);
   const int axis = static_cast<int>(draw.below(3));
   const bool along_axis = draw.below(2) == 0;
-  if (level <= 0 || !along_axis) return std::ldexp(1.0, level) * n;
-  n[axis] = std::ldexp(n[axis], level);
+  if (distance <= 0 || !along_axis) return std::ldexp(1.0, distance) * n;
+  n[axis] = std::ldexp(n[axis], distance);
   return n;
 }
 
@@ -42,14 +43,19 @@ Triangle draw_about_origin(Draw& draw, Format format) {
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
   Draw draw(stream_of("family distance"), seed, k);
   const auto [is_ray, level] = turn_of(k, levels(format).size());
-  const bool about_origin = draw.below(2) == 0;
-  const Triangle t = about_origin ? draw_about_origin(draw, format) : draw_triangle(draw, format);
-  const Point3 x = about_origin ? Point3(0) : draw_in_plane(draw, format, t);
-  const Point3 n = draw_reach(draw, format, levels(format)[level]);
-  return unclassified(format, level, draw_probe(is_ray, through(x, n, n), format, draw), t, draw);
+  const auto [segment, t] = place_distant(draw, format, levels(format)[level]);
+  return unclassified(format, level, draw_probe(is_ray, segment, format, draw), t, draw);
 }
 
 }  // namespace
+
+SegmentPair place_distant(Draw& draw, Format format, int distance) {
+  const bool about_origin = draw.below(2) == 0;
+  const Triangle t = about_origin ? draw_about_origin(draw, format) : draw_triangle(draw, format);
+  const Point3 x = about_origin ? Point3(0) : draw_in_plane(draw, format, t);
+  const Point3 n = draw_reach(draw, format, distance);
+  return {through(x, n, n), t};
+}
 
 /// Probes whose ends are 2^level triangle sizes away. Half of them aim at the origin, which is then a point of the
 /// triangle: such a probe meets it there, exactly, however long or short it is.

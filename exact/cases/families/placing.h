@@ -1,0 +1,26 @@
+// How a case is placed at a value of a stress axis: families place theirs at their levels by these functions, and
+// sweeps at any value.
+#pragma once
+
+#include "core/native.h"
+#include "exact/cases/families/draw.h"
+#include "exact/cases/families/family.h"
+
+namespace tribunal {
+
+/// A triangle of [−1, 1]³ with a height of 2^−aspect of its length, and a segment through a rounded point of it or near
+/// it.
+SegmentPair place_sliver(Draw& draw, Format format, int aspect);
+
+/// A triangle of [−1, 1]³ and a segment that leaves its plane by 2^−slope of its length.
+SegmentPair place_grazing(Draw& draw, Format format, int slope);
+
+/// A triangle of [−1, 1]³ and a segment with ends about 2^distance away. Half of the segments aim at the origin, which
+/// is then exactly a point of the triangle.
+SegmentPair place_distant(Draw& draw, Format format, int distance);
+
+/// Moves one coordinate, or all three of one vertex or end, by ±step units in the last place. The class is not known
+/// afterwards.
+void move_by_steps(Trial& trial, Draw& draw, Format format, std::int64_t step);
+
+}  // namespace tribunal
