@@ -166,17 +166,43 @@ std::string beginning_of(const Threshold& t) {
          std::to_string(t.first.value);
 }
 
-std::string line_of(const SweepPlan& plan, const Threshold& t) {
-  const StressAxis& axis = *plan.axes[t.axis];
+bool is_same_row(const Threshold& a, const Threshold& b) {
+  return a.method == b.method && a.axis == b.axis && a.format == b.format && a.side == b.side && a.outcome == b.outcome;
+}
+
+std::string cell_of(const Threshold* t) {
+  if (t == nullptr) return "";
+  return beginning_of(*t) + (t->all ? "; all from " + std::to_string(t->all->value) : "");
+}
+
+/// One line for segments and rays; either may have none.
+std::string line_of(const SweepPlan& plan, const Threshold& row, const Threshold* segments, const Threshold* rays) {
+  const StressAxis& axis = *plan.axes[row.axis];
   const bool two_sided =
-      !values_outward(axis, t.format, Side::up).empty() && !values_outward(axis, t.format, Side::down).empty();
-  const std::string name = std::string(axis.name) + (two_sided ? t.side == Side::up ? " +" : " -" : "");
-  const std::string all = t.all ? "all from " + std::to_string(t.all->value) : "";
-  char line[200];
-  std::snprintf(line, sizeof line, "  %-15s %-9s %-14s %-8s %-38s %s\n", name.c_str(),
-                std::string(name_of(t.format)).c_str(), std::string(name_of(t.outcome)).c_str(),
-                std::string(name_of(t.probe)).c_str(), beginning_of(t).c_str(), all.c_str());
+      !values_outward(axis, row.format, Side::up).empty() && !values_outward(axis, row.format, Side::down).empty();
+  const std::string name = std::string(axis.name) + (two_sided ? row.side == Side::up ? " +" : " -" : "");
+  char line[256];
+  std::snprintf(line, sizeof line, "  %-15s %-8s %-13s  %-44s  %s\n", name.c_str(),
+                std::string(name_of(row.format)).c_str(), std::string(name_of(row.outcome)).c_str(),
+                cell_of(segments).c_str(), cell_of(rays).c_str());
   return line;
+}
+
+/// The lines of one method.
+std::string lines_of(const SweepPlan& plan, const std::vector<Threshold>& thresholds, std::size_t method) {
+  char head[256];
+  std::snprintf(head, sizeof head, "  %-15s %-8s %-13s  %-44s  %s\n", "axis", "format", "outcome", "segments", "rays");
+  std::string text;
+  for (std::size_t i = 0; i < thresholds.size(); ++i) {
+    const Threshold& t = thresholds[i];
+    if (t.method != method) continue;
+    if (text.empty()) text = head;
+    const bool paired = i + 1 < thresholds.size() && is_same_row(t, thresholds[i + 1]);
+    const Threshold* const rays = paired ? &thresholds[i + 1] : t.probe == ProbeKind::ray ? &t : nullptr;
+    text += line_of(plan, t, t.probe == ProbeKind::segment ? &t : nullptr, rays);
+    i += paired;
+  }
+  return text;
 }
 
 }  // namespace
@@ -235,11 +261,7 @@ std::string to_csv(const SweepPlan& plan, const Sweep& sweep) {
 std::string to_table(const SweepPlan& plan, const Sweep& sweep, const std::vector<Threshold>& thresholds) {
   std::string text;
   for (std::size_t m = 0; m < plan.methods.size(); ++m) {
-    text += verdict_of(plan, sweep, m);
-    for (const Threshold& t : thresholds) {
-      if (t.method == m) text += line_of(plan, t);
-    }
-    text += "\n";
+    text += verdict_of(plan, sweep, m) + lines_of(plan, thresholds, m) + "\n";
   }
   return text;
 }

@@ -68,7 +68,7 @@ while read -r method c x y; do
   "$TRIBUNAL" replay pixel.jsonl >replayed || true
   verdict=$(grep "^ *$method " replayed)
   case $c in
-    [-+]) [[ $verdict == *WRONG* ]] ;;
+    [-+c]) [[ $verdict == *WRONG* ]] ;;
     *) [[ $verdict == *right* ]] ;;
   esac || { echo "pixel $x,$y of $method is '$c', replay says $verdict" >&2; exit 1; }
 done <pixels

@@ -90,7 +90,9 @@ TEST(Axes, CoordinatesAreFiniteAndExactInTheFormat) {
       const Query query = case_at(axis, format, 3, value, k).query;
       ASSERT_TRUE(is_finite(query)) << axis.name << " " << value << " case " << k;
       for (const Point3& p : points_of(query)) ASSERT_TRUE(is_exact_in(p, format)) << axis.name << " " << value;
-      if (const auto* r = std::get_if<Ray>(&query.probe)) ASSERT_TRUE(is_exact_in(r->d.v, format)) << axis.name;
+      if (const auto* r = std::get_if<Ray>(&query.probe)) {
+        ASSERT_TRUE(is_exact_in(r->d.v, format)) << axis.name;
+      }
     }
   });
 }
@@ -126,7 +128,15 @@ double largest(const std::vector<Point3>& points) {
   return size;
 }
 
-double log_of(double x) { return x == 0 ? -5000 : std::log2(x); }
+/// Zeros stand for themselves: the same classes have them at every value.
+double log_of(double x) { return x == 0 ? 0 : std::log2(x); }
+
+/// The largest coordinate of a difference of two points.
+double extent(const std::vector<Point3>& points) {
+  std::vector<Point3> differences;
+  for (const Point3& p : points) differences.push_back(p - points[0]);
+  return largest(differences);
+}
 
 double height_over_length(const Triangle& t) {
   const Point3 u = t.b - t.a, v = t.c - t.a, w = t.c - t.b;
@@ -148,7 +158,7 @@ double measured(const std::string_view axis, const Query& query) {
   if (axis == "direction") return log_of(largest({along(query)})) - log_of(largest(points));
   if (axis == "vertices") return static_cast<double>(query.polygon().vertices.size());
   if (axis == "sliver") return -log_of(height_over_length(query.triangle()));
-  if (axis == "fill" || axis == "polygon-fill") return log_of(largest({points[1] - points[0]}));
+  if (axis == "fill" || axis == "polygon-fill") return log_of(extent(points));
   return 0;
 }
 
@@ -237,7 +247,9 @@ TEST(Thresholds, AMethodThatFailsFromAKnownValueOnIsFoundThere) {
     EXPECT_EQ(w.witness.finding["origin"]["value"], 26);
   }
   for (const auto& [place, count] : result.counts) {
-    if (place.format == Format::binary32) EXPECT_EQ(count.count.wrong, 0u) << place.value;
+    if (place.format == Format::binary32) {
+      EXPECT_EQ(count.count.wrong, 0u) << place.value;
+    }
   }
 }
 

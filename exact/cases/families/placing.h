@@ -15,12 +15,8 @@ SegmentPair place_sliver(Draw& draw, Format format, int aspect);
 /// A triangle of [−1, 1]³ and a segment that leaves its plane by 2^−slope of its length.
 SegmentPair place_grazing(Draw& draw, Format format, int slope);
 
-/// A triangle of [−1, 1]³ and a segment with ends about 2^distance away. Half of the segments aim at the origin, which
-/// is then exactly a point of the triangle.
-SegmentPair place_distant(Draw& draw, Format format, int distance);
-
-/// Moves one coordinate, or all three of one vertex or end, by ±step units in the last place. The class is not known
-/// afterwards.
-void move_by_steps(Trial& trial, Draw& draw, Format format, std::int64_t step);
+/// A triangle of [−2, 2]³ with the origin on it, exactly, and a segment with ends about 2^distance away; half of the
+/// segments run through the origin. Coordinates are multiples of 2^−bits, those of the ends times 2^distance.
+SegmentPair place_distant(Draw& draw, int bits, int distance);
 
 }  // namespace tribunal

@@ -8,7 +8,6 @@
 
 #include "exact/cases/families/affine.h"
 #include "exact/cases/families/pair_vectors.h"
-#include "exact/cases/families/placing.h"
 #include "exact/cases/families/shapes.h"
 #include "exact/cases/families/table.h"
 
@@ -36,14 +35,8 @@ Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
   const ClassTurn turn = class_turn_of(k, steps(format).size());
   const int bits = mantissa_fills(format)[draw.below(mantissa_fills(format).size())];
   Trial trial = affine_image(format, draw, turn, bits);
-  move_by_steps(trial, draw, format, steps(format)[turn.level]);
-  return trial;
-}
-
-}  // namespace
-
-void move_by_steps(Trial& trial, Draw& draw, Format format, std::int64_t step) {
   trial.class_id = 0;
+  const std::int64_t step = steps(format)[turn.level];
   Point3& v = *vectors_of(trial.query).v[draw.below(5)];
   const std::uint64_t only_axis = draw.below(6);
   for (int axis = 0; axis < 3; ++axis) {
@@ -51,7 +44,10 @@ void move_by_steps(Trial& trial, Draw& draw, Format format, std::int64_t step) {
     if (only_axis >= 3 || only_axis == static_cast<std::uint64_t>(axis)) v[axis] = moved_by_ulps(v[axis], n, format);
     if (v[axis] == 0 && draw.below(2) == 0) v[axis] = -0.0;
   }
+  return trial;
 }
+
+}  // namespace
 
 double moved_by_ulps(double x, std::int64_t n, Format format) {
   if (format == Format::binary64) return moved<double, std::int64_t>(x, n);
