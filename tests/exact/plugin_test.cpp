@@ -211,7 +211,7 @@ TEST(Plugin, VersionOneIsReadAsItWas) {
 /// So are those that version 2 did not have; and a ray with bounds goes to the function for it.
 TEST(Plugin, VersionThreeTakesBounds) {
   tribunal_plugin plugin = sound_plugin();
-  plugin.ask_within = [](const double x[15], const double bounds[2]) {
+  plugin.ask_within = [](const double x[15], const double bounds[2]) -> int {
     return x[0] == 1 && bounds[0] == 0.5 && bounds[1] == 2 ? TRIBUNAL_HIT : TRIBUNAL_MISS;
   };
   plugin.bounds = TRIBUNAL_ENDS_OPEN;
