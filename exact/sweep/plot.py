@@ -2,6 +2,7 @@
 """Draws what `tribunal sweep` recorded: python3 plot.py RECORD OUTDIR
 
 sweep.json   thresholds, and a figure for each axis: the share of wrong answers at each of its values
+compilers.json   a cell for each method and build: how many of the answers change
 map-*.json   a failure map: one pixel for each pair of moved coordinates, a panel for each method
 
 A share of zero is drawn at the upper 95 % confidence bound, hollow: a log axis has no zero, and no sample shows one.
@@ -276,6 +277,41 @@ def map_figure(record):
     return figure
 
 
+def compilers_figure(record):
+    """A row a method, a column a build; a cell says the share of answers that change, and is darker for more."""
+    builds = [b["name"] for b in record["builds"]]
+    methods = list(dict.fromkeys(r["method"] for r in record["rows"]))
+    share = {(r["method"], r["build"]): r["changed"] / r["answers"]["asked"] for r in record["rows"]}
+    e = record["environment"]
+    flags = "; ".join(f"{b['name']}: {b['flags']}" for b in record["builds"])
+    about = wrapped(f"Hit or miss is not what the program's own build says ({e['compiler'].split(' 20')[0]}, strict). Of "
+                    f"{record['cases_of_each_format']:,} cases of all families in each format, most of them degenerate. "
+                    f"Seed {record['seed']}. {flags}.", 100)
+    row = 0.19
+    head = 1.35 + 0.155 * about.count("\n")
+    height = head + row * len(methods)
+    figure = plt.figure(figsize=(WIDTH, height))
+    ax = figure.add_axes([1.5 / WIDTH, 0.1 / height, (WIDTH - 2.05) / WIDTH, row * len(methods) / height])
+    for i, method in enumerate(methods):
+        for j, build in enumerate(builds):
+            s = share[method, build]
+            depth = 0 if s == 0 else min(1, max(0, 1 + math.log10(s) / 4))
+            ax.add_patch(plt.Rectangle((j, i), 1, 1, fc=plt.cm.Blues(0.75 * depth), ec="white", lw=1))
+            ax.text(j + 0.5, i + 0.53, "0" if s == 0 else f"{100 * s:.1f}" if s >= 0.001 else "<0.1", fontsize=6.5,
+                    ha="center", va="center", color="white" if depth > 0.88 else INK)
+    ax.set_xlim(0, len(builds))
+    ax.set_ylim(len(methods), 0)
+    ax.xaxis.tick_top()
+    ax.set_xticks([j + 0.35 for j in range(len(builds))], builds, rotation=40, ha="left", va="bottom", fontsize=8)
+    ax.set_yticks([i + 0.5 for i in range(len(methods))], methods, fontsize=7.5)
+    ax.tick_params(length=0, pad=2)
+    ax.grid(False)
+    for spine in ax.spines.values():
+        spine.set_visible(False)
+    title(figure, "One source, built otherwise: answers that change, in %", about, height)
+    return figure
+
+
 def save(figure, name):
     if figure is None:
         return
@@ -289,6 +325,9 @@ def main():
         sys.exit(__doc__.splitlines()[0])
     with open(sys.argv[1], encoding="utf-8") as file:
         record = json.load(file)
+    if record.get("axis") == "compiler":
+        save(compilers_figure(record), os.path.join(sys.argv[2], "compilers"))
+        return
     if "map" in record:
         save(map_figure(record), os.path.join(sys.argv[2], "map-" + record["map"]))
         return
