@@ -89,7 +89,13 @@ typedef struct tribunal_hit {
   int contact; /* TRIBUNAL_CONTACT_… */
   int has_t;   /* whether t is given */
   double t;    /* the point p + t*(q - p), or o + t*d */
+  int has_weights; /* whether the next two are given, beside t */
+  double weight_b; /* the point a + weight_b*(b - a) + weight_c*(c - a) */
+  double weight_c;
 } tribunal_hit;
+
+/* Which numbers `tell` gives of every hit that is one point; a sum of these. How far they are off is reported. */
+enum { TRIBUNAL_TELLS_T = 1, TRIBUNAL_TELLS_WEIGHTS = 2 };
 
 /* As tribunal_ask, and tells of a hit. `hit` comes zeroed, and is looked at where the answer is TRIBUNAL_HIT. */
 typedef int tribunal_tell(int probe, const double query[15], tribunal_hit* hit);
@@ -119,7 +125,7 @@ typedef struct tribunal_plugin {
   int culling;               /* TRIBUNAL_CULLS_… */
   tribunal_tell* tell;       /* or NULL */
   int tells_contact;         /* not 0: tell says the contact */
-  int tells_t;               /* not 0: tell gives t of every hit that is one point */
+  int tells_t;               /* 0, TRIBUNAL_TELLS_T, or TRIBUNAL_TELLS_T + TRIBUNAL_TELLS_WEIGHTS */
   tribunal_prepare* prepare; /* or NULL; then so are the next two */
   tribunal_ask_prepared* ask_prepared; /* required with prepare */
   tribunal_release* release;           /* or NULL: nothing is to be released */
