@@ -276,11 +276,14 @@ TEST_F(CertificateTest, WhatIsRefusedIsNamed) {
   }));
 }
 
-/// Planted: an absolute epsilon, in a plugin. On the small integers of the sets that are run whole it is right; the
-/// relation `scale` shows it, with a witness that follows from budget and seed, and a shrunk counterexample.
+/// Planted: an absolute epsilon on points, in a plugin. On the small integers of the sets that are run whole it is
+/// right; the relation `scale` shows it, with a witness that follows from budget and seed, and a shrunk counterexample.
 int with_absolute_epsilon(int probe, const double x[15]) {
   double v[15];
-  for (int i = 0; i < 15; ++i) v[i] = std::fabs(x[i]) < 1e-9 ? 0 : x[i];
+  for (int i = 0; i < 15; ++i) {
+    const bool of_direction = probe == TRIBUNAL_RAY && i >= 3 && i < 6;
+    v[i] = !of_direction && std::fabs(x[i]) < 1e-9 ? 0 : x[i];
+  }
   const Triangle t{{v[6], v[7], v[8]}, {v[9], v[10], v[11]}, {v[12], v[13], v[14]}};
   const Point3 p(v[0], v[1], v[2]), q(v[3], v[4], v[5]);
   static const Method exact = method("sf-filtered");

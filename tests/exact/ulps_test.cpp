@@ -135,7 +135,7 @@ Method with_numbers(const std::function<void(HitAt&)>& change) {
 }
 
 FuzzPlan plan_of(const Method& method, unsigned threads = 2) {
-  FuzzPlan plan{.methods = {method}, .seed = 1, .cases = 40'000, .threads = threads};
+  FuzzPlan plan{.methods = {method}, .streams = {}, .seed = 1, .cases = 40'000, .threads = threads};
   for (const Stream& s : streams_of(Operands::triangles)) {
     if (s.family->name == "plain") plan.streams.push_back(s);
   }
