@@ -1,6 +1,7 @@
 #include "exact/record/judge_answers.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <unordered_map>
 
@@ -86,8 +87,13 @@ Contact contact_at(const Json& object, const Where& where) {
                             "\"");
 }
 
-/// A number in a form that cases take, or one that is none: "nan", "inf".
-double number_at(const Json& value, const Where& where) { return to_number(value, Format::binary64, where); }
+/// A number as cases have them, or one that is none: a method may have computed it.
+double number_at(const Json& value, const Where& where) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (value == "nan") return std::numeric_limits<double>::quiet_NaN();
+  if (value == "inf" || value == "-inf") return value == "inf" ? infinity : -infinity;
+  return to_number(value, Format::binary64, where);
+}
 
 /// "t", and with it "weights": those of b and c.
 std::optional<HitAt> numbers_at(const Json& object, const Where& where) {
