@@ -17,6 +17,7 @@
 #include "exact/record/sample_row.h"
 #include "exact/relations/relation.h"
 #include "exact/shrink/shrink.h"
+#include "exact/trial/exact_hit.h"
 #include "exact/trial/observe.h"
 
 namespace tribunal {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "exact/trial/exact_hit.h"
 #include "exact/trial/judge.h"
 
 namespace tribunal {

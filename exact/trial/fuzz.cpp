@@ -11,6 +11,7 @@
 #include "exact/base/parallel.h"
 #include "exact/base/progress.h"
 #include "exact/cases/family_table.h"
+#include "exact/trial/exact_hit.h"
 #include "exact/trial/prepared.h"
 
 namespace tribunal {

@@ -9,6 +9,7 @@
 #include "core/vec3.h"
 #include "exact/base/fault.h"
 #include "exact/base/fp_environment.h"
+#include "exact/trial/exact_hit.h"
 #include "exact/trial/quick_truth.h"
 
 namespace tribunal {

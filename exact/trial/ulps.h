@@ -9,15 +9,12 @@
 
 #include "core/format.h"
 #include "core/method.h"
-#include "exact/kernels/dyadic.h"
 #include "exact/trial/truth.h"
 
 namespace tribunal {
 
-/// num / den, den ≠ 0.
-struct ExactRatio {
-  Dyadic num, den;
-};
+struct ExactRatio;
+struct ExactHit;
 
 /// Errors of one kind of number, counted. An error is |computed − exact| / ulp(exact). For an exact value x ≠ 0 of a
 /// format with p bits and the least normal number 2^emin, ulp(x) = 2^(max(⌊log₂|x|⌋, emin) − p + 1): the distance of
@@ -61,15 +58,6 @@ struct HitErrors {
   HitErrors& operator+=(const HitErrors& other);
   friend bool operator==(const HitErrors&, const HitErrors&) = default;
 };
-
-/// Where a ray crosses the plane of a triangle, exactly: the parameter, and the weights of b and c.
-struct ExactHit {
-  ExactRatio t, b, c;
-};
-
-/// t = (a − o)·n / d·n for the normal n; the weight of b is det(d, c − o, a − o), of c det(d, a − o, b − o), of the
-/// three such numbers' sum. The ray must not be parallel to the plane.
-ExactHit exact_hit(const Ray& ray, const Triangle& triangle);
 
 /// Whether a case has numbers: a ray meets a triangle at one point, and crosses its plane there.
 bool has_numbers(const Query& query, const Truth& truth);

@@ -12,6 +12,7 @@
 #include "exact/record/checkpoint.h"
 #include "exact/record/errors_json.h"
 #include "exact/record/judge_answers.h"
+#include "exact/trial/exact_hit.h"
 #include "tests/exact/certificate_support.h"
 #include "tests/exact/exact_parameter.h"
 
