@@ -32,7 +32,8 @@ struct ChartRow {
   HitErrors errors{};  ///< of its numbers, on rays through the segments of the first `most_measured` cases
 };
 
-/// One method at one level of the affine family: images of degenerate cases by maps with entries of `bits` bits.
+/// One method at one value of the sweep's axis of mantissa fill: images of degenerate cases by maps with entries of
+/// `bits` bits.
 struct OnsetRow {
   std::size_t method;
   Format format;
