@@ -8,7 +8,8 @@
  * behind, and says so.
  *
  * For tests of the harness: with -DPLANTED_MISTAKE the last comparison is wrong, and a hit beyond the edge bc is
- * reported; with -DSAYS_IT_CULLS it does not cull; with -DFORGETS_WHAT_IT_PREPARED it takes the edge ab for both. */
+ * reported; with -DABSOLUTE_EPSILON=1e-9 a determinant that is smaller is called parallel; with -DSAYS_IT_CULLS it does
+ * not cull; with -DFORGETS_WHAT_IT_PREPARED it takes the edge ab for both. */
 #include <stdlib.h>
 
 #include "tribunal_plugin.h"
@@ -49,6 +50,9 @@ static int meet(const edges* triangle, int probe, const double x[6], double* t) 
   cross(d, triangle->e2, pvec);
   const double det = dot(triangle->e1, pvec);
   if (det == 0) return TRIBUNAL_MISS;
+#ifdef ABSOLUTE_EPSILON
+  if (det > -(ABSOLUTE_EPSILON) && det < (ABSOLUTE_EPSILON)) return TRIBUNAL_MISS;
+#endif
 #ifdef CULLS
   if (det < 0) return TRIBUNAL_MISS;
 #endif

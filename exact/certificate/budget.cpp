@@ -1,9 +1,12 @@
 #include "exact/certificate/budget.h"
 
+#include <algorithm>
+
 #include "exact/base/sha256.h"
 #include "exact/cases/case_io.h"
 #include "exact/classes/class_table.h"
 #include "exact/record/sample_row.h"
+#include "exact/relations/relation.h"
 
 namespace tribunal {
 namespace {
@@ -74,16 +77,33 @@ Json with_operands(Json record, Operands operands) {
 }
 
 Json budget_record(const Budget& b) {
-  return {{"record", "budget"},
-          {"budget", b.name},
-          {"cases_per_class", b.cases_per_class},
-          {"full_scope", b.full_scope},
-          {"rounds", b.rounds}};
+  return {{"record", "budget"},         {"budget", b.name},   {"cases_per_class", b.cases_per_class},
+          {"full_scope", b.full_scope}, {"rounds", b.rounds}, {"relation_cases", b.relation_cases}};
 }
 
+/// Older logs have no relations, and do not say how many cases these are checked on.
 Budget to_budget(const Json& record, const Where& where) {
   return {string_of(record, "budget", where), number_of(record, "cases_per_class", where),
-          truth_value_of(record, "full_scope", where), number_of(record, "rounds", where)};
+          truth_value_of(record, "full_scope", where), number_of(record, "rounds", where),
+          record.contains("relation_cases") ? number_of(record, "relation_cases", where) : 0};
+}
+
+FuzzPlan relation_plan(const Budget& budget, std::uint64_t seed, Operands operands) {
+  FuzzPlan plan{.methods = {}, .streams = streams_of(operands), .seed = seed};
+  plan.cases = plan.streams.size() * budget.relation_cases;
+  return plan;
+}
+
+Json relation_record(const FuzzPlan& plan, std::size_t r, Format format, bool of_rays) {
+  const Relation& relation = relations_of(plan.operands())[r];
+  const auto streams = std::ranges::count(plan.streams, format, &Stream::format);
+  const Json record = {{"record", "relation"},
+                       {"relation", relation.name},
+                       {"statement", relation.statement},
+                       {"fmt", name_of(format)},
+                       {"probes", of_rays ? "ray" : "segment"},
+                       {"cases", static_cast<std::uint64_t>(streams) * (plan.cases / plan.streams.size())}};
+  return with_operands(record, plan.operands());
 }
 
 Owed owed_by(const Budget& budget, std::uint64_t seed, Operands operands) {
@@ -91,6 +111,12 @@ Owed owed_by(const Budget& budget, std::uint64_t seed, Operands operands) {
   for (const WholeSet& set : whole_sets(budget, operands)) owed.sets.push_back(set.about);
   for (const Stream& stream : streams_of(operands)) {
     owed.streams.push_back(stream_record(stream, seed, cases_per_stream(budget, operands)));
+  }
+  const FuzzPlan plan = relation_plan(budget, seed, operands);
+  for (std::size_t r = 0; r < relations_of(operands).size(); ++r) {
+    for (const Format format : {Format::binary64, Format::binary32}) {
+      for (const bool rays : {false, true}) owed.relations.push_back(relation_record(plan, r, format, rays));
+    }
   }
   return owed;
 }

@@ -7,6 +7,7 @@
 #include "exact/base/files.h"
 #include "exact/classes/class_table.h"
 #include "exact/record/contract_json.h"
+#include "exact/record/errors_json.h"
 
 namespace tribunal {
 namespace {
@@ -22,6 +23,28 @@ ProvedSet to_set(const Json& r, const Where& where) {
           .classes = number_of(r, "classes", where),
           .complete = truth_value_of(r, "complete", where),
           .count = to_count(require(r, "count", where), where.key("count"))};
+}
+
+RelationRow to_relation(const Json& r, const Where& where) {
+  const std::string probes = string_of(r, "probes", where);
+  if (probes != "segment" && probes != "ray") where.key("probes").fail("expected \"segment\" or \"ray\"");
+  RelationRow row{.name = string_of(r, "relation", where),
+                  .statement = string_of(r, "statement", where),
+                  .format = format_of(r, where),
+                  .of_rays = probes == "ray",
+                  .cases = number_of(r, "cases", where),
+                  .asked = number_of(r, "asked", where),
+                  .broken = number_of(r, "broken", where),
+                  .faults = number_of(r, "faults", where)};
+  if (row.broken > row.asked || row.asked > row.cases || row.faults > row.cases - row.asked) {
+    where.fail("counts that cannot be");
+  }
+  if (row.broken == 0) return row;
+  row.first = number_of(r, "first", where);
+  const Json& witness = require(r, "witness", where);
+  if (!witness.is_array()) where.key("witness").fail("expected an array");
+  row.witness.assign(witness.begin(), witness.end());
+  return row;
 }
 
 /// The operands of a record: triangles, unless it says otherwise.
@@ -57,6 +80,7 @@ void read(Certificate& c, const Json& r, const Where& where) {
   const std::string kind = string_of(r, "record", where);
   if (kind == "plan") {
     for (const char* key : {"method", "budget"}) string_of(r, key, where);
+    if (r.contains("version")) number_of(r, "version", where);
     c.plan = r;
     c.contract = to_contract(require(r, "terms", where), where.key("terms"));
     c.stages = to_stages(r, where);
@@ -67,6 +91,8 @@ void read(Certificate& c, const Json& r, const Where& where) {
     c.budget = r;
   } else if (kind == "set") {
     c.proved.push_back(to_set(r, where));
+  } else if (kind == "relation") {
+    c.relations.push_back(to_relation(r, where));
   } else if (kind == "stream") {
     c.streams.push_back(to_stream(r, where));
   } else if (kind == "sample") {
@@ -76,6 +102,8 @@ void read(Certificate& c, const Json& r, const Where& where) {
     } else {
       c.calibration[row.method].of(row.format) += total_of(row);
     }
+  } else if (kind == "errors") {
+    c.errors.push_back({string_of(r, "family", where), format_of(r, where), to_errors(r, where)});
   } else if (kind == "counterexample") {
     c.counterexamples.push_back(require(r, "case", where));
   } else {
@@ -206,6 +234,25 @@ void add_set_gaps(Certificate& c) {
   }
 }
 
+/// Whether the contract takes all that relations are about: then each of them speaks of some case.
+bool takes_all_relations(const Certificate& c) {
+  const Contract& k = c.contract;
+  if (!k.probes.segments || !k.probes.rays) return false;
+  if (c.operands() == Operands::polygons) return promises_all_polygons(k);
+  return reads_point_sets(k) && k.triangles == Triangles::any;
+}
+
+/// Relations that nothing was asked of, in either format and with either probe.
+void add_relation_gaps(Certificate& c) {
+  std::map<std::string, std::uint64_t> asked;
+  for (const RelationRow& r : c.relations) asked[r.name] += r.asked;
+  for (const auto& [name, n] : asked) {
+    if (n > 0) continue;
+    const bool promised = takes_all_relations(c);
+    c.gaps.push_back({"relation " + name, promised ? "no instance of it came up" : outside_contract(c), !promised});
+  }
+}
+
 /// The kinds of probe that the contract names must have been asked, at least in the sample.
 void add_probe_gaps(Certificate& c) {
   if (c.proved.empty()) return;  // what judge writes is about the cases of a file
@@ -240,6 +287,7 @@ Count total_of_sets(const Certificate& c, bool rays) {
 Verdict verdict_of(const Certificate& c) {
   const bool wrong_in_set = std::ranges::any_of(c.proved, [](const ProvedSet& s) { return s.count.wrong > 0; });
   if (wrong_in_set || c.sampled().wrong > 0 || c.own().wrong > 0) return Verdict::refuted;
+  if (!c.broken_relations().empty()) return Verdict::refuted;
   const bool hole = std::ranges::any_of(c.gaps, [](const Gap& g) { return !g.explained; });
   return hole ? Verdict::incomplete : Verdict::not_refuted;
 }
@@ -286,6 +334,14 @@ Count Certificate::own(Format format) const { return total_of_rows(*this, true, 
 
 Count Certificate::own() const { return own(Format::binary64) += own(Format::binary32); }
 
+std::vector<std::string> Certificate::broken_relations() const {
+  std::vector<std::string> names;
+  for (const RelationRow& r : relations) {
+    if (r.broken > 0 && (names.empty() || names.back() != r.name)) names.push_back(r.name);
+  }
+  return names;
+}
+
 std::string Certificate::worst() const {
   std::vector<Counted> counts;
   for (const bool rays : {false, true}) {
@@ -296,7 +352,10 @@ std::string Certificate::worst() const {
     counts.push_back({"sampled " + name, sampled(format)});
     counts.push_back({"your own " + name, own(format)});
   }
-  return headline(counts);
+  std::string text = headline(counts);
+  const std::vector<std::string> broken = broken_relations();
+  for (std::size_t i = 0; i < broken.size(); ++i) text += (i == 0 ? "; breaks relations " : ", ") + broken[i];
+  return text;
 }
 
 Certificate certificate_from(const LogRecords& log, const std::string& path) {
@@ -307,6 +366,7 @@ Certificate certificate_from(const LogRecords& log, const std::string& path) {
   add_strata(c);
   add_coverage(c);
   add_set_gaps(c);
+  add_relation_gaps(c);
   add_probe_gaps(c);
   add_stream_gaps(c);
   add_class_gaps(c);

@@ -15,8 +15,21 @@
 
 namespace tribunal {
 
-/// Of the log, in its record "plan". Version 1, which does not say so, does not say what wrong answers are.
-inline constexpr std::uint64_t log_version = 2;
+/// Of the log, in its record "plan". Version 1, which does not say so, does not say what wrong answers are. Version 2
+/// has no relations, and no errors of numbers.
+inline constexpr std::uint64_t log_version = 3;
+
+/// A relation between answers, checked on the first cases of each stream, of one format and with one kind of probe.
+struct RelationRow {
+  std::string name, statement;
+  Format format = Format::binary64;
+  bool of_rays = false;
+  std::uint64_t cases = 0;  ///< of the format, of which those count that the relation speaks of and the method takes
+  std::uint64_t asked = 0, broken = 0;
+  std::uint64_t faults = 0;     ///< not in `asked`: the method did something else than answer
+  std::uint64_t first = 0;      ///< the first case that broke it
+  std::vector<Json> witness{};  ///< its queries
+};
 
 /// A set that was run whole.
 struct ProvedSet {
@@ -26,6 +39,13 @@ struct ProvedSet {
   std::uint64_t classes = 0;
   bool complete = false;
   Count count{};
+};
+
+/// Errors of the numbers that the method gives with right hits of rays, in one family and format.
+struct ErrorRow {
+  std::string family;
+  Format format = Format::binary64;
+  HitErrors errors{};
 };
 
 /// The family under which the cases of a user's file are logged. They are no sample of anything.
@@ -78,6 +98,8 @@ struct Certificate {
   Json budget;        ///< the record "budget"; none in what `judge` writes
   std::vector<Stage> stages;
   std::vector<ProvedSet> proved;
+  std::vector<RelationRow> relations;
+  std::vector<ErrorRow> errors;
   std::vector<SampledStream> streams;
   std::vector<SampleRow> rows;                  ///< of the method on trial
   std::map<std::string, ByFormat> calibration;  ///< of the naive methods on the same sample
@@ -104,8 +126,11 @@ struct Certificate {
   Count sampled(Format) const;
   Count own() const;  ///< one's own cases
   Count own(Format) const;
+  std::uint64_t version() const { return plan.value("version", std::uint64_t{1}); }
   /// Whether the log says what wrong answers are.
-  bool says_outcomes() const { return plan.contains("version"); }
+  bool says_outcomes() const { return version() >= 2; }
+  /// The relations that the method broke, each once.
+  std::vector<std::string> broken_relations() const;
   /// The worst that there was, by population.
   std::string worst() const;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <map>
+#include <set>
 
 #include "exact/base/failure.h"
 #include "exact/base/interrupt.h"
@@ -12,8 +13,12 @@
 #include "exact/record/contract_json.h"
 #include "exact/record/counterexample.h"
 #include "exact/record/environment.h"
+#include "exact/record/errors_json.h"
 #include "exact/record/sample_row.h"
+#include "exact/relations/relation.h"
 #include "exact/shrink/shrink.h"
+#include "exact/trial/exact_hit.h"
+#include "exact/trial/observe.h"
 
 namespace tribunal {
 namespace {
@@ -63,8 +68,8 @@ class Simplest {
     const auto [entry, fresh] = simplest_.try_emplace({slot, c.finding.value("fault", "")}, c);
     if (!fresh && is_preferable(c, entry->second)) entry->second = c;
   }
-  void log_into(ChainedLog& log) const {
-    std::vector<Case> cases;
+  /// Together with other cases.
+  void log_into(ChainedLog& log, std::vector<Case> cases) const {
     for (const auto& [key, c] : simplest_) cases.push_back(c);
     sort_by_rank(cases);
     for (const Case& c : cases) log_counterexample(log, c);
@@ -112,6 +117,50 @@ std::vector<ScopeResult> run_sets(const CertifyPlan& plan) {
   return results;
 }
 
+std::vector<RelationCount> run_relations(const CertifyPlan& plan) {
+  FuzzPlan checked = relation_plan(plan.budget, plan.seed, plan.operands);
+  checked.methods = {plan.method};
+  checked.threads = plan.threads;
+  return check_relations(checked, OnFault::count);
+}
+
+Json witness_of(const Query& query, Format format) { return from_case({.id = "", .format = format, .query = query}); }
+
+void log_relations(ChainedLog& log, const CertifyPlan& plan, const std::vector<RelationCount>& counts) {
+  const FuzzPlan checked = relation_plan(plan.budget, plan.seed, plan.operands);
+  for (const RelationCount& c : counts) {
+    Json record = relation_record(checked, c.relation, c.format, c.of_rays);
+    record["asked"] = c.asked;
+    record["broken"] = c.broken;
+    record["faults"] = c.faults;
+    if (c.broken > 0) {
+      record["first"] = c.first;
+      for (const Query& query : c.witness) record["witness"].push_back(witness_of(query, c.format));
+    }
+    log.add(record);
+  }
+}
+
+/// Of the queries that a broken relation binds to each other at least one is answered wrongly. Those, shrunk; the first
+/// witness of each relation will do.
+std::vector<Case> counterexamples_to(const CertifyPlan& plan, const std::vector<RelationCount>& counts) {
+  std::vector<Case> cases;
+  std::set<std::size_t> shown;
+  for (const RelationCount& c : counts) {
+    if (c.broken == 0 || !shown.insert(c.relation).second) continue;
+    const std::string relation(tribunal::relations_of(plan.operands)[c.relation].name);
+    for (const Query& query : c.witness) {
+      const Truth truth = exact_truth(query);
+      if (!is_wrong(judge(plan.method, truth, try_ask(plan.method, query).answer))) continue;
+      Case found = to_counterexample(plan.method, query, c.format, "relation " + relation);
+      found.id += "-" + relation;
+      cases.push_back(found);
+      break;
+    }
+  }
+  return cases;
+}
+
 void log_streams(ChainedLog& log, const FuzzPlan& plan) {
   const std::uint64_t n = plan.streams.size();
   for (std::uint64_t i = 0; i < n; ++i) {
@@ -121,19 +170,34 @@ void log_streams(ChainedLog& log, const FuzzPlan& plan) {
   }
 }
 
+/// Of the method on trial, on each stream that it takes, also where no hit was measured.
+void log_errors(ChainedLog& log, const FuzzPlan& plan, const FuzzReport& report) {
+  if (!gives_numbers(plan.methods[0]) || plan.operands() == Operands::polygons) return;
+  for (std::size_t s = 0; s < plan.streams.size(); ++s) {
+    const Stream& stream = plan.streams[s];
+    if (!takes(plan.methods[0], stream.format)) continue;
+    log.add(errors_record(plan.methods[0].name, std::string(stream.family->name), stream.format,
+                          report.errors[plan.errors_at(0, s)]));
+  }
+}
+
 /// Those of the cases that have these operands and this format. Adds to `wrong` what was answered wrongly.
 void log_some(ChainedLog& log, const Method& method, const std::vector<Case>& cases, const std::vector<Truth>& truths,
-              const std::function<Answer(std::size_t)>& answer, Operands operands, Format format,
-              std::vector<Case>& wrong) {
+              const Given& all_given, Operands operands, Format format, std::vector<Case>& wrong) {
   SampleRow row{.method = method.name, .family = own_cases, .format = format};
+  HitErrors errors;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     if (cases[i].format != format || cases[i].query.operands() != operands) continue;
-    const Answer given = takes(method, format) ? answer(i) : refusal(Status::unsupported);
+    const Answer given = takes(method, format) ? all_given.answer(i) : refusal(Status::unsupported);
     const Outcome outcome = takes(method, format) ? judge(method, truths[i], given) : Outcome::not_owed;
     Count& count = row.counts[slot_of(truths[i])];
     count.add(outcome, given.stage);
-    if (!is_wrong(outcome)) continue;
     const Query& query = cases[i].query;
+    if (all_given.numbers && outcome == Outcome::right && given.hit && has_numbers(query, truths[i])) {
+      const ExactHit exact = exact_hit(std::get<Ray>(query.probe), query.triangle());
+      add_numbers(errors, all_given.numbers(i), exact, method.contract.format, i);
+    }
+    if (!is_wrong(outcome)) continue;
     count.add_wrong(severity_of(query, truths[i]), cause_of(method, query, truths[i], outcome));
     wrong.push_back(with_steady_finding(cases[i], method, truths[i], given));
   }
@@ -150,6 +214,7 @@ void log_some(ChainedLog& log, const Method& method, const std::vector<Case>& ca
                        {"cases", n}};
   log.add(with_operands(stream, operands));
   log.add(to_record(row));
+  if (errors.hits > 0) log.add(errors_record(row.method, row.family, format, errors));
 }
 
 }  // namespace
@@ -191,11 +256,11 @@ void log_plan(ChainedLog& log, const Method& method, Operands operands, const st
 }
 
 void log_own_cases(ChainedLog& log, const Method& method, const std::vector<Case>& cases,
-                   const std::vector<Truth>& truths, const std::function<Answer(std::size_t)>& answer) {
+                   const std::vector<Truth>& truths, const Given& given) {
   std::vector<Case> wrong;
   for (const Operands operands : {Operands::triangles, Operands::polygons}) {
     for (const Format format : {Format::binary64, Format::binary32}) {
-      log_some(log, method, cases, truths, answer, operands, format, wrong);
+      log_some(log, method, cases, truths, given, operands, format, wrong);
     }
   }
   sort_by_rank(wrong);
@@ -209,6 +274,9 @@ ChainedLog certify(const CertifyPlan& plan) {
   const std::vector<ScopeResult> sets = run_sets(plan);
   end_if_interrupted();
   for (const ScopeResult& set : sets) log.add(set_record(set));
+  const std::vector<RelationCount> relations = run_relations(plan);
+  end_if_interrupted();
+  log_relations(log, plan, relations);
   const FuzzPlan sample = sample_plan(plan);
   FuzzReport report = fuzz(sample);
   end_if_interrupted();
@@ -216,12 +284,16 @@ ChainedLog certify(const CertifyPlan& plan) {
   ask_again(sample, report);
   log_streams(log, sample);
   for (const SampleRow& row : rows_of(sample, report)) log.add(to_record(row));
+  log_errors(log, sample, report);
   Simplest simplest;
   offer_from_sets(simplest, plan.method, sets);
   offer_from_sample(simplest, sample, report);
-  simplest.log_into(log);
-  log_own_cases(log, plan.method, plan.cases, plan.truths,
-                [&](std::size_t i) { return plan.method.ask(plan.cases[i].query); });
+  simplest.log_into(log, counterexamples_to(plan, relations));
+  Given given{.answer = [&](std::size_t i) { return plan.method.ask(plan.cases[i].query); }};
+  if (gives_numbers(plan.method)) {
+    given.numbers = [&](std::size_t i) { return numbers_of(plan.method, plan.cases[i].query); };
+  }
+  log_own_cases(log, plan.method, plan.cases, plan.truths, given);
   return log;
 }
 

@@ -1,6 +1,8 @@
 // Runs a trial and logs it; the certificate is made from the log.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,10 +31,14 @@ std::vector<Truth> truths_of(const std::vector<Case>& cases, const std::string& 
 ChainedLog certify(const CertifyPlan& plan);
 
 /// Logs the user's own cases, one stream for each kind of operands in each format; `truths` are their exact answers,
-/// and each case that was answered wrongly is logged as a counterexample. `answer` says what the method answered to
-/// case i; it is not called for operands that the method does not take.
+/// and each case that was answered wrongly is logged as a counterexample. `given` says what the method answered to case
+/// i and which numbers it gives with a hit; it is not called for operands that the method does not take.
+struct Given {
+  std::function<Answer(std::size_t)> answer;
+  std::function<std::optional<HitAt>(std::size_t)> numbers{};  ///< empty if it gives none
+};
 void log_own_cases(ChainedLog& log, const Method& method, const std::vector<Case>& cases,
-                   const std::vector<Truth>& truths, const std::function<Answer(std::size_t)>& answer);
+                   const std::vector<Truth>& truths, const Given& given);
 
 /// The naive methods that run beside the method on trial: all except the method itself.
 std::vector<Method> calibration_beside(const std::string& method);

@@ -20,10 +20,14 @@ class Debts {
   std::vector<std::string> faults_;
 };
 
-/// Whether a budget with the name of one of the program's has its numbers. Other names may have any.
-bool is_as_named(const Budget& b) {
+/// Whether a budget with the name of one of the program's has its numbers. Other names may have any. Logs before
+/// version 3 have no relations.
+bool is_as_named(const Budget& b, std::uint64_t version) {
   const auto named = std::ranges::find(budgets, b.name, &Budget::name);
-  return named == budgets.end() || *named == b;
+  if (named == budgets.end()) return true;
+  Budget due = *named;
+  if (version < 3) due.relation_cases = 0;
+  return due == b;
 }
 
 void require_sets(Debts& debts, const Certificate& c, const Owed& owed) {
@@ -57,6 +61,20 @@ void require_streams(Debts& debts, const LogRecords& log, const Owed& owed) {
   }
 }
 
+/// The record without what was counted.
+Json uncounted(Json record) {
+  for (const char* key : {"asked", "broken", "faults", "first", "witness"}) record.erase(key);
+  return record;
+}
+
+void require_relations(Debts& debts, const LogRecords& log, const Owed& owed) {
+  std::vector<Json> logged;
+  for (const Json& r : log.records) {
+    if (r.value("record", "") == "relation") logged.push_back(uncounted(r));
+  }
+  debts.unless(logged == owed.relations, "the relations are not those that budget and seed owe");
+}
+
 void require_taken(Debts& debts, const Certificate& c) {
   const Method* const method = find_method(c.method());
   if (method == nullptr) return;
@@ -64,6 +82,20 @@ void require_taken(Debts& debts, const Certificate& c) {
     if (s.is_own()) continue;
     debts.unless(s.taken == takes(*method, s.format), "whether " + s.family + " was taken is changed");
   }
+}
+
+/// A method that gives numbers must have been asked for them in every stream of triangles that it takes.
+void require_errors(Debts& debts, const Certificate& c) {
+  const Method* const method = find_method(c.method());
+  if (method == nullptr || !gives_numbers(*method) || c.operands() == Operands::polygons) return;
+  std::vector<std::pair<std::string, Format>> owed, logged;
+  for (const SampledStream& s : c.streams) {
+    if (!s.is_own() && s.taken) owed.emplace_back(s.family, s.format);
+  }
+  for (const ErrorRow& e : c.errors) {
+    if (e.family != own_cases) logged.emplace_back(e.family, e.format);
+  }
+  debts.unless(owed == logged, "the errors of numbers are not those of every stream");
 }
 
 /// Each naive method must have been asked every case that it takes, and no other method.
@@ -90,11 +122,13 @@ std::vector<std::string> debts_of(const Certificate& c, const LogRecords& log, c
     return std::move(debts).faults();
   }
   const Budget budget = to_budget(c.budget, {path});
-  debts.unless(is_as_named(budget) && c.plan.at("budget") == budget.name,
+  debts.unless(is_as_named(budget, c.version()) && c.plan.at("budget") == budget.name,
                "the budget \"" + budget.name + "\" has other numbers");
   const Owed owed = owed_by(budget, number_of(c.plan, "seed", {path}), c.operands());
   require_sets(debts, c, owed);
   require_streams(debts, log, owed);
+  if (c.version() >= 3) require_relations(debts, log, owed);
+  if (c.version() >= 3) require_errors(debts, c);
   require_taken(debts, c);
   require_calibration(debts, c);
   return std::move(debts).faults();

@@ -188,6 +188,124 @@ std::string sampled_section(const Certificate& c) {
          worst_classes(c, false) + "\nPopulations:\n\n" + populations(c) + "\n";
 }
 
+std::string rate_of(const RelationRow& r) {
+  return percent(static_cast<double>(r.broken) / static_cast<double>(r.asked));
+}
+
+std::string interval_of(const RelationRow& r) {
+  return percent(lower_bound(r.broken, r.asked, confidence_alpha)) + " to " +
+         percent(upper_bound(r.broken, r.asked, confidence_alpha));
+}
+
+/// "binary64, segments"
+std::string population_of(const RelationRow& r) {
+  return std::string(name_of(r.format)) + ", " + probes_word(r.of_rays) + "s";
+}
+
+/// The rows of which anything was asked, broken ones or the others.
+std::vector<RelationRow> asked_relations(const Certificate& c, bool broken) {
+  std::vector<RelationRow> rows;
+  std::ranges::copy_if(c.relations, std::back_inserter(rows),
+                       [&](const RelationRow& r) { return r.asked > 0 && (r.broken > 0) == broken; });
+  return rows;
+}
+
+std::string broken_table(const Certificate& c) {
+  std::string text =
+      "| relation | what must hold | population | asked | broken | rate | 95 % bounds |\n"
+      "|---|---|---|---|---|---|---|\n";
+  for (const RelationRow& r : asked_relations(c, true)) {
+    text += "| " + r.name + " | " + r.statement + " | " + population_of(r) + " | " + std::to_string(r.asked) + " | " +
+            std::to_string(r.broken) + " | " + rate_of(r) + " | " + interval_of(r) + " |\n";
+  }
+  return text + "\n";
+}
+
+/// Those that held, one line each, with the number of instances of each population.
+std::string kept_list(const Certificate& c) {
+  std::map<std::string, std::string> lines;
+  for (const RelationRow& r : asked_relations(c, false)) {
+    std::string& line = lines[r.name];
+    line += (line.empty() ? r.statement + ": held in all of " : "; ") + std::to_string(r.asked) + " (" +
+            population_of(r) + ")";
+  }
+  std::string text;
+  for (const auto& [name, line] : lines) text += "- " + name + ": " + line + "\n";
+  return text + (lines.empty() ? "" : "\n");
+}
+
+std::string relations_section(const Certificate& c) {
+  return "## Relations\n\nWhat must hold between answers, whatever they are; no oracle is asked. Checked on the first "
+         "cases of each population below, and of triangles on the ray through each segment too. One relation broken "
+         "refutes; the queries that show it are in `certificate.json`, and one of their answers, shrunk, is among the "
+         "counterexamples. The bounds are one-sided, at 95 % each.\n\n" +
+         (c.broken_relations().empty() ? "" : broken_table(c)) + kept_list(c);
+}
+
+/// One line a population, and one for each relation broken.
+std::string relation_lines(const Certificate& c) {
+  std::map<std::string, std::pair<std::uint64_t, std::uint64_t>> totals;
+  for (const RelationRow& r : asked_relations(c, false)) totals[population_of(r)].first += r.asked;
+  for (const RelationRow& r : asked_relations(c, true)) {
+    auto& [asked, broken] = totals[population_of(r)];
+    asked += r.asked;
+    broken += r.broken;
+  }
+  std::string text;
+  for (const auto& [population, total] : totals) {
+    text += "  related  " + population + ": " + std::to_string(total.second) + " of " + std::to_string(total.first) +
+            " instances of relations broken\n";
+  }
+  for (const RelationRow& r : asked_relations(c, true)) {
+    text += "  BROKEN   " + r.name + ", " + population_of(r) + ": " + std::to_string(r.broken) + " of " +
+            std::to_string(r.asked) + " (" + rate_of(r) + "); " + r.statement + "\n";
+  }
+  return text;
+}
+
+std::string errors_row(const ErrorRow& e, const char* what, const Ulps& u) {
+  if (u.all() == 0) return "";
+  return "| " + e.family + " | " + std::string(name_of(e.format)) + " | " + what + " | " +
+         std::to_string(e.errors.hits) + " | " + in_words(u) + " |\n";
+}
+
+std::string errors_section(const Certificate& c) {
+  std::string text =
+      "## Errors of t and of the weights\n\nOf right hits of rays at one point, against the exact value, in units in "
+      "the last place of it in " +
+      std::string(name_of(c.contract.format)) +
+      ". How ill-conditioned the problem is, is not divided out. Of the sampled cases one in " +
+      std::to_string(measured_period) +
+      ", drawn by a hash.\n\n| family | cases | number | hits | errors |\n|---|---|---|---|---|\n";
+  for (const ErrorRow& e : c.errors) {
+    text += errors_row(e, "t", e.errors.t) + errors_row(e, "weights", e.errors.weights);
+  }
+  return text + "\n";
+}
+
+/// The errors of one number in all families of a format, and where the largest is.
+std::string errors_line(const Certificate& c, Format format, const char* what, Ulps HitErrors::*number) {
+  Ulps total;
+  std::string worst;
+  for (const ErrorRow& e : c.errors) {
+    if (e.format != format) continue;
+    const Ulps& u = e.errors.*number;
+    if (u.most > total.most) worst = "; the most in " + e.family;
+    total += u;
+  }
+  return total.all() == 0 ? ""
+                          : "  ulps     " + std::string(what) + ", " + std::string(name_of(format)) + ": " +
+                                in_words(total) + worst + "\n";
+}
+
+std::string errors_lines(const Certificate& c) {
+  std::string text;
+  for (const Format format : both_formats) {
+    text += errors_line(c, format, "t", &HitErrors::t) + errors_line(c, format, "weights", &HitErrors::weights);
+  }
+  return text;
+}
+
 std::string after_semicolon(const std::string& text) { return text.empty() ? "" : "; " + text; }
 
 /// "1 wrong of 12 (8.33 %); 3 outside the contract"
@@ -250,7 +368,9 @@ std::string to_markdown(const Certificate& c) {
           " judged: " + coverage_text(c) + ".\n\n";
   if (!faults_in(c).empty()) text += "It is no function of its input, or fails:\n\n" + fault_lines(c, "- ") + "\n";
   if (!c.proved.empty()) text += "## Proved: sets run whole\n\n" + proved_table(c) + "\n";
+  if (!c.relations.empty()) text += relations_section(c);
   if (c.sampled_strata() > 0) text += sampled_section(c);
+  if (!c.errors.empty()) text += errors_section(c);
   if (c.has_own()) text += own_section(c);
   text += "## Not covered\n\n" + gaps_list(c) + "\n";
   text += "## Calibration\n\n" + calibration_list(c) + "\n";
@@ -273,7 +393,7 @@ std::string to_summary(const Certificate& c) {
     const Count own = c.own(format);
     if (own.asked > 0) text += "  own      " + std::string(name_of(format)) + ": " + with_breakdown(own) + "\n";
   }
-  text += fault_lines(c, "  FAULT    ") + worst_line(c);
+  text += relation_lines(c) + errors_lines(c) + fault_lines(c, "  FAULT    ") + worst_line(c);
   text += (c.coverage.has(Operands::polygons) ? "  judged   " : "  classes  ") + coverage_text(c) + "\n";
   for (const Gap& g : c.gaps) {
     if (!g.explained) text += "  HOLE     " + g.what + ": " + g.reason + "\n";

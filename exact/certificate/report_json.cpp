@@ -5,6 +5,7 @@
 
 #include "exact/certificate/bounds.h"
 #include "exact/certificate/report_parts.h"
+#include "exact/record/errors_json.h"
 
 namespace tribunal {
 namespace {
@@ -52,6 +53,37 @@ Json to_json(const Certificate& c, const Stratum& s) {
 Json proved_json(const Certificate& c) {
   Json rows = Json::array();
   for (const ProvedSet& s : c.proved) rows.push_back(to_json(s));
+  return rows;
+}
+
+/// Both bounds are one-sided, at 95 % each.
+Json to_json(const RelationRow& r) {
+  Json row = {{"relation", r.name},
+              {"statement", r.statement},
+              {"fmt", name_of(r.format)},
+              {"probe", probes_word(r.of_rays)},
+              {"n", r.asked},
+              {"broken", r.broken},
+              {"lower_95", lower_bound(r.broken, r.asked, confidence_alpha)},
+              {"upper_95", upper_bound(r.broken, r.asked, confidence_alpha)}};
+  if (r.faults > 0) row["faults"] = r.faults;
+  if (r.broken > 0) row["witness"] = r.witness;
+  return row;
+}
+
+Json relations_json(const Certificate& c) {
+  Json rows = Json::array();
+  for (const RelationRow& r : c.relations) rows.push_back(to_json(r));
+  return rows;
+}
+
+Json errors_json(const Certificate& c) {
+  Json rows = Json::array();
+  for (const ErrorRow& e : c.errors) {
+    Json row = {{"family", e.family}, {"fmt", name_of(e.format)}};
+    row.update(from_errors(e.errors));
+    rows.push_back(row);
+  }
   return rows;
 }
 
@@ -154,6 +186,8 @@ Json to_json(const Certificate& c) {
   }
   if (polygons) object["polygons_judged"] = polygons_json(c);
   object["proved"] = proved_json(c);
+  if (!c.relations.empty()) object["relations"] = relations_json(c);
+  if (!c.errors.empty()) object["errors"] = errors_json(c);
   object["streams"] = streams_json(c);
   object["sampled"] = strata_json(c, false);
   if (c.has_own()) object["own_cases"] = strata_json(c, true);

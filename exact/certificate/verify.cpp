@@ -1,5 +1,6 @@
 #include "exact/certificate/verify.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "exact/base/files.h"
@@ -9,6 +10,7 @@
 #include "exact/methods/methods.h"
 #include "exact/record/contract_json.h"
 #include "exact/record/counterexample.h"
+#include "exact/relations/relation.h"
 
 namespace tribunal {
 namespace {
@@ -75,15 +77,52 @@ void ask_again(Verification& v) {
   }
 }
 
+/// The queries of a witness must be those that the relation makes of the case it names, and a method that this program
+/// has must break the relation on them again.
+void confirm(Verification& v, const FuzzPlan& plan, const RelationRow& row) {
+  const auto relations = relations_of(plan.operands());
+  const auto r = static_cast<std::size_t>(std::ranges::find(relations, row.name, &Relation::name) - relations.begin());
+  const auto instance =
+      r < relations.size() && row.first < plan.cases ? instance_of(plan, r, row.first, row.of_rays) : std::nullopt;
+  std::vector<Json> due;
+  if (instance) {
+    for (const Query& q : instance->queries) due.push_back(from_case({.id = "", .format = row.format, .query = q}));
+  }
+  const Method* const method = find_method(v.certificate.method());
+  if (due.empty() || due != row.witness) {
+    v.faults.push_back("the witness against relation " + row.name + " is none");
+  } else if (method != nullptr && instance->holds(*method) != std::optional(false)) {
+    v.faults.push_back("relation " + row.name + " holds on the witness against it");
+  }
+}
+
+void confirm_relations(Verification& v) {
+  const Certificate& c = v.certificate;
+  if (c.relations.empty() || !c.budget.is_object()) return;
+  const FuzzPlan plan =
+      relation_plan(to_budget(c.budget, {"log.jsonl"}), number_of(c.plan, "seed", {"log.jsonl"}), c.operands());
+  for (const RelationRow& row : c.relations) {
+    if (row.broken > 0) confirm(v, plan, row);
+  }
+}
+
 /// The records that a rerun must give again, in the log's order.
 std::vector<Json> answers_in(const LogRecords& log) {
   std::vector<Json> records;
   for (const Json& r : log.records) {
     const std::string kind = r.value("record", "");
     const bool own = r.value("family", "") == own_cases;
-    if (kind == "set" || (!own && (kind == "stream" || kind == "sample"))) records.push_back(r);
+    if (kind == "set" || kind == "relation" || (!own && (kind == "stream" || kind == "sample" || kind == "errors")))
+      records.push_back(r);
   }
   return records;
+}
+
+std::string what_it_counts(const Json& record) {
+  for (const char* key : {"set", "relation", "family"}) {
+    if (record.contains(key)) return record[key];
+  }
+  return record.value("record", "");
 }
 
 ChainedLog run_again(const Method& method, const Certificate& c, unsigned threads) {
@@ -111,8 +150,7 @@ void rerun_all(Verification& v, const LogRecords& log, unsigned threads) {
     if (due[i].contains("size")) v.rerun += number_of(due[i], "size", {"log.jsonl"});
     if (due[i]["record"] == "stream") v.rerun += number_of(due[i], "cases", {"log.jsonl"});
     if (due[i] == logged[i]) continue;
-    const std::string what = due[i].contains("set") ? due[i]["set"] : due[i]["family"];
-    v.faults.push_back("run again, " + what + " gives other counts");
+    v.faults.push_back("run again, " + what_it_counts(due[i]) + " gives other counts");
   }
 }
 
@@ -127,6 +165,7 @@ Verification verify(const std::string& directory, unsigned rerun) {
   compare(v, directory + "/counterexamples.jsonl", counterexample_lines(v.certificate));
   for (const std::string& debt : debts_of(v.certificate, log, path)) v.faults.push_back(debt);
   for (const Json& line : v.certificate.counterexamples) confirm(v, line);
+  confirm_relations(v);
   ask_again(v);
   if (rerun > 0 && v.faults.empty()) rerun_all(v, log, rerun);
   return v;

@@ -20,10 +20,10 @@ struct Verification {
 /// The chain of hashes is checked first (Exit::bad_input at the line that breaks it). Then certificate.json,
 /// certificate.md and counterexamples.jsonl must be, byte for byte, what the log gives; each counterexample is judged
 /// again by all oracles; and a method that this program has is run again on the smallest set: of triangles 93,888
-/// cases, of polygons 217,140. What follows from budget and seed is made anew: the sets, streams, populations,
-/// calibration and numbers of cases that the budget owes, and the first cases of each stream.
-/// `rerun`: the whole trial of a method that this program has is run again, on so many threads, and must give the same
-/// counts; 0: not.
+/// cases, of polygons 217,140, and on each witness against a relation, which must follow from budget and seed. What
+/// follows from budget and seed is made anew: the sets, streams, populations, calibration and numbers of cases that the
+/// budget owes, and the first cases of each stream. `rerun`: the whole trial of a method that this program has is run
+/// again, on so many threads, and must give the same counts; 0: not.
 Verification verify(const std::string& directory, unsigned rerun = 0);
 
 }  // namespace tribunal

@@ -8,6 +8,7 @@
 #include "exact/certificate/rate.h"
 #include "exact/chart/timing_json.h"
 #include "exact/record/environment.h"
+#include "exact/record/errors_json.h"
 
 namespace tribunal {
 namespace {
@@ -47,6 +48,7 @@ Json rows_json(const ChartPlan& plan, const Chart& chart) {
                     {"drawn", r.drawn},
                     {"answers", to_json(r.count)},
                     {"nanoseconds", timing_json(r.time)}});
+    if (r.errors.hits > 0) rows.back()["errors"] = from_errors(r.errors);
   }
   return rows;
 }
@@ -70,13 +72,20 @@ const ChartRow* drawn_row(const Chart& chart, std::size_t method, std::size_t po
   return nullptr;
 }
 
+/// 99 % of the errors of t are within so many ulps; nothing if there are none.
+std::string ulps_cell(const ChartRow& r) {
+  char text[24];
+  std::snprintf(text, sizeof text, "%.3g", r.errors.t.bound_of(99));
+  return r.errors.t.measured() == 0 ? "" : text;
+}
+
 std::string cells_of(const ChartRow& r) {
-  char text[120], spread[40];
+  char text[140], spread[40];
   const std::string unjudged =
       r.count.unsupported == 0 ? "" : std::to_string(100 * r.count.unsupported / r.count.asked) + " %";
   std::snprintf(spread, sizeof spread, "%.1f - %.1f", r.time.lower_quartile, r.time.upper_quartile);
-  std::snprintf(text, sizeof text, " %8s %8.1f %18s %20s %10s", std::string(name_of(r.format)).c_str(), r.time.median,
-                spread, to_text(r.count).c_str(), unjudged.c_str());
+  std::snprintf(text, sizeof text, " %8s %8.1f %18s %20s %10s %10s", std::string(name_of(r.format)).c_str(),
+                r.time.median, spread, to_text(r.count).c_str(), unjudged.c_str(), ulps_cell(r).c_str());
   return text;
 }
 
@@ -102,8 +111,8 @@ std::string to_table(const ChartPlan& plan, const Chart& chart) {
   for (std::size_t p = 0; p < all_populations().size(); ++p) {
     const Population& population = all_populations()[p];
     text += std::string(population.title) + ": " + std::string(population.about) + "\n";
-    std::snprintf(line, sizeof line, "  %-22s %8s %8s %18s %20s %10s\n", "method", "cases", "ns/test", "quartiles",
-                  "wrong", "not judged");
+    std::snprintf(line, sizeof line, "  %-22s %8s %8s %18s %20s %10s %10s\n", "method", "cases", "ns/test", "quartiles",
+                  "wrong", "not judged", "t, ulps");
     text += line;
     for (std::size_t m = 0; m < plan.methods.size(); ++m) {
       const ChartRow* row = drawn_row(chart, m, p);

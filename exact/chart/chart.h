@@ -19,6 +19,9 @@ struct ChartPlan {
   unsigned threads = 1;  ///< for judging; time is taken on one thread
 };
 
+/// Rays of each population and format whose hits are measured.
+inline constexpr std::uint64_t most_measured = 8'000;
+
 /// One method on the cases of one population in one format.
 struct ChartRow {
   std::size_t method, population;
@@ -26,6 +29,7 @@ struct ChartRow {
   bool drawn;  ///< it stands for the method in the figure
   Count count;
   Timing time;
+  HitErrors errors{};  ///< of its numbers, on rays through the segments of the first `most_measured` cases
 };
 
 /// One method at one value of the sweep's axis of mantissa fill: images of degenerate cases by maps with entries of

@@ -4,6 +4,7 @@
 #include "exact/base/failure.h"
 #include "exact/base/interrupt.h"
 #include "exact/chart/chart.h"
+#include "exact/chart/errors.h"
 #include "exact/classes/class_table.h"
 #include "exact/sweep/sweep.h"
 
@@ -88,7 +89,13 @@ void measure_populations(const ChartPlan& plan, Chart& chart) {
   for (std::size_t s = 0; s < chart.panels.size(); ++s) {
     std::vector<ChartRow> rows = timed_rows(plan, chart.panels[s]);
     end_if_interrupted();
-    for (ChartRow& row : rows) row.count = totals[{s, row.method}];
+    const Panel& panel = chart.panels[s];
+    const std::vector<HitErrors> errors = errors_on(populations[panel.population], panel.format, plan.seed,
+                                                    std::min(plan.cases, most_measured), plan.methods);
+    for (ChartRow& row : rows) {
+      row.count = totals[{s, row.method}];
+      row.errors = errors[row.method];
+    }
     if (!rows.empty()) count_hits(chart.panels[s], s, rows.front().method, report);
     chart.rows.insert(chart.rows.end(), rows.begin(), rows.end());
   }

@@ -120,7 +120,9 @@ Action declare_certify(Arguments& arguments) {
       .option("--budget", o->budget,
               "quick: {0,1,2}^3 whole and 1.2 million samples; standard: {0..3}^3 too, some minutes; "
               "soak: 2.1e9 samples, many hours. With --polygons: 1.9 million cases in whole sets and 144 thousand "
-              "samples; 32 million and 865 thousand; 86 million samples")
+              "samples; 32 million and 865 thousand; 86 million samples. Relations between answers are checked on 1000 "
+              "cases "
+              "of each family and format; 10 thousand; 500 thousand")
       .one_of(budget_names())
       .shows_default();
   arguments.flag(

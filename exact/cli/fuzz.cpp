@@ -13,6 +13,7 @@
 #include "exact/record/checkpoint.h"
 #include "exact/record/counterexample.h"
 #include "exact/record/environment.h"
+#include "exact/record/errors_json.h"
 #include "exact/record/plainest.h"
 #include "exact/record/sample_row.h"
 #include "exact/trial/coverage.h"
@@ -94,6 +95,44 @@ std::string table(const FuzzPlan& plan, const FuzzReport& report) {
     text += line + (of_these.empty() ? "" : "  " + of_these) + "\n";
   }
   return text;
+}
+
+std::string errors_cells(const char* what, const Ulps& u) {
+  return u.all() == 0 ? "" : "  " + std::string(what) + ": " + in_words(u);
+}
+
+/// The errors of the numbers given with right hits of rays, by method × stream.
+std::string errors_table(const FuzzPlan& plan, const FuzzReport& report) {
+  std::string text;
+  char line[200];
+  for (std::size_t m = 0; m < plan.methods.size(); ++m) {
+    for (std::size_t s = 0; s < plan.streams.size(); ++s) {
+      const HitErrors& e = report.errors[plan.errors_at(m, s)];
+      if (e.hits == 0) continue;
+      std::snprintf(line, sizeof line, "%-22s %-9s %-9s", plan.methods[m].name.c_str(),
+                    std::string(plan.streams[s].family->name).c_str(),
+                    std::string(name_of(plan.streams[s].format)).c_str());
+      text += line + errors_cells("t", e.t) + errors_cells("weights", e.weights) + "\n";
+    }
+  }
+  if (text.empty()) return "";
+  return "errors of numbers in ulps of the exact value, of right hits of rays, one case in " +
+         std::to_string(measured_period) + ":\n" + text;
+}
+
+Json errors_json(const FuzzPlan& plan, const FuzzReport& report) {
+  Json rows = Json::array();
+  for (std::size_t m = 0; m < plan.methods.size(); ++m) {
+    for (std::size_t s = 0; s < plan.streams.size(); ++s) {
+      const HitErrors& e = report.errors[plan.errors_at(m, s)];
+      if (e.hits == 0) continue;
+      rows.push_back({{"method", plan.methods[m].name},
+                      {"family", plan.streams[s].family->name},
+                      {"fmt", name_of(plan.streams[s].format)}});
+      rows.back().update(from_errors(e));
+    }
+  }
+  return {{"one_case_in", measured_period}, {"counts", rows}};
 }
 
 /// The worst of each method, first of all; formats apart.
@@ -195,6 +234,7 @@ Json summary(const FuzzPlan& plan, const FuzzReport& report) {
           {"judged_by", judged_by(plan, report)},
           {"audited", report.audited},
           {"counts", rows},
+          {"errors", errors_json(plan, report)},
           {"faults", faults_json(plan, report)},
           {"environment", environment()}};
 }
@@ -272,8 +312,8 @@ int run(const Options& o, const FuzzPlan& plan) {
   FuzzReport report = run_plan(o, plan);
   ask_again(plan, report);
   if (report.cases == 0) throw Failure(Exit::resources, "no case was run");
-  print(verdicts(plan, report) + table(plan, report) + coverage(plan, report) + fault_lines(plan, report) +
-        totals(plan, report));
+  print(verdicts(plan, report) + table(plan, report) + coverage(plan, report) + errors_table(plan, report) +
+        fault_lines(plan, report) + totals(plan, report));
   const bool complete = is_complete(plan, report);
   if (!complete) {
     print("INTERRUPTED after " + std::to_string(report.cases) + " of " + std::to_string(plan.cases) + " cases" +

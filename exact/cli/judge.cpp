@@ -53,7 +53,9 @@ ChainedLog log_of(const Exam& exam, const AnswerSheet& sheet, const Contract& co
       std::ranges::any_of(exam.truths, [](const Truth& t) { return t.operands() == Operands::triangles; });
   ChainedLog log;
   log_plan(log, method, triangles ? Operands::triangles : Operands::polygons, "the cases of a file", 0);
-  log_own_cases(log, method, exam.cases, exam.truths, [&](std::size_t i) { return sheet.answers[i]; });
+  Given given{.answer = [&](std::size_t i) { return sheet.answers[i]; }};
+  if (sheet.gives_numbers()) given.numbers = [&](std::size_t i) { return sheet.numbers[i]; };
+  log_own_cases(log, method, exam.cases, exam.truths, given);
   return log;
 }
 

@@ -61,6 +61,17 @@ class Caller {
     return answer.hit && hit.has_t != 0 ? std::optional<double>(hit.t) : std::nullopt;
   }
 
+  /// The same with the weights of b and c, if the plugin says them.
+  std::optional<HitAt> hit(const Ray& ray, const Triangle& t) const {
+    const Coordinates x = coordinates_of(ray, t, line_.format);
+    if (!all_finite(x)) return std::nullopt;
+    const auto [answer, hit] = tell(ray, t, x);
+    if (!answer.hit || hit.has_t == 0) return std::nullopt;
+    HitAt at{.t = hit.t};
+    if (hit.has_weights != 0) at.weights = BarycentricWeights{hit.weight_b, hit.weight_c};
+    return at;
+  }
+
   using Call = void (PluginCalls::*)(int, std::size_t, const double*, int*) const;
 
   void ask_all(Call call, std::span<const TrianglePair> pairs, std::span<Answer> answers) const {
@@ -265,6 +276,9 @@ void add_triangles(Method& method, const tribunal_plugin& plugin, const Line& li
   method.native = native_loops_of(plugin, line);
   if (plugin.tells_t != 0) {
     method.parameter = [caller](const Ray& r, const Triangle& t) { return caller.parameter(r, t); };
+  }
+  if ((plugin.tells_t & TRIBUNAL_TELLS_WEIGHTS) != 0) {
+    method.hit = [caller](const Ray& r, const Triangle& t) { return caller.hit(r, t); };
   }
   if (plugin.prepare == nullptr) return;
   method.prepare_triangle = [line](const Triangle& t) -> PreparedTriangle {

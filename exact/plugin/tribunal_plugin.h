@@ -89,11 +89,17 @@ enum { TRIBUNAL_SIDE_UNSAID = 0, TRIBUNAL_SIDE_FRONT = 1, TRIBUNAL_SIDE_BACK = 2
 
 /* What is known of a hit beside that it is one (version 2). */
 typedef struct tribunal_hit {
-  int contact; /* TRIBUNAL_CONTACT_… */
-  int has_t;   /* whether t is given */
-  double t;    /* the point p + t*(q - p), or o + t*d */
-  int side;    /* TRIBUNAL_SIDE_… (version 3) */
+  int contact;     /* TRIBUNAL_CONTACT_… */
+  int has_t;       /* whether t is given */
+  double t;        /* the point p + t*(q - p), or o + t*d */
+  int side;        /* TRIBUNAL_SIDE_… (version 3, as all that follows) */
+  int has_weights; /* whether the next two are given, beside t */
+  double weight_b; /* the point a + weight_b*(b - a) + weight_c*(c - a) */
+  double weight_c;
 } tribunal_hit;
+
+/* Which numbers `tell` gives of every hit that is one point; a sum of these. How far they are off is reported. */
+enum { TRIBUNAL_TELLS_T = 1, TRIBUNAL_TELLS_WEIGHTS = 2 };
 
 /* A ray with bounds (version 3): o, d, a, b, c as fifteen coordinates, and tmin, tmax. The probe is the set of all
  * o + t*d with tmin <= t <= tmax; 0 <= tmin <= tmax, tmin is finite, tmax may be infinite. Both are exact in the format
@@ -128,7 +134,7 @@ typedef struct tribunal_plugin {
   int culling;               /* TRIBUNAL_CULLS_… */
   tribunal_tell* tell;       /* or NULL */
   int tells_contact;         /* not 0: tell says the contact */
-  int tells_t;               /* not 0: tell gives t of every hit that is one point */
+  int tells_t;               /* 0, TRIBUNAL_TELLS_T, or TRIBUNAL_TELLS_T + TRIBUNAL_TELLS_WEIGHTS */
   tribunal_prepare* prepare; /* or NULL; then so are the next two */
   tribunal_ask_prepared* ask_prepared; /* required with prepare */
   tribunal_release* release;           /* or NULL: nothing is to be released */

@@ -6,6 +6,7 @@
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
 #include "exact/record/chain.h"
+#include "exact/record/errors_json.h"
 #include "exact/record/sample_row.h"
 #include "exact/trial/judge.h"
 
@@ -58,6 +59,25 @@ Finding finding_from(const FuzzPlan& plan, const Json& record, const Where& wher
   return {method, stream, k, trial, truth, answer, outcome, severity_of(trial.query, truth)};
 }
 
+void add_errors(const FuzzPlan& plan, FuzzReport& report, const Json& record, const Where& where) {
+  const std::size_t m = number_of(record, "method", where), s = number_of(record, "stream", where);
+  if (m >= plan.methods.size() || s >= plan.streams.size()) where.fail("no such method or stream");
+  report.errors[plan.errors_at(m, s)] += to_errors(record, where);
+}
+
+/// By the numbers of method and stream in the plan; only what counts something.
+void log_errors(ChainedLog& log, const FuzzPlan& plan, const FuzzReport& report) {
+  for (std::size_t m = 0; m < plan.methods.size(); ++m) {
+    for (std::size_t s = 0; s < plan.streams.size(); ++s) {
+      const HitErrors& errors = report.errors[plan.errors_at(m, s)];
+      if (errors.hits == 0) continue;
+      Json record = {{"record", "errors"}, {"method", m}, {"stream", s}};
+      record.update(from_errors(errors));
+      log.add(record);
+    }
+  }
+}
+
 void add_row(const FuzzPlan& plan, FuzzReport& report, const SampleRow& row, const Where& where) {
   const auto method = std::ranges::find(plan.methods, row.method, &Method::name);
   const auto stream = std::ranges::find_if(
@@ -76,6 +96,8 @@ void add_record(const FuzzPlan& plan, FuzzReport& report, const Json& record, co
   const std::string kind = string_of(record, "record", where);
   if (kind == "sample") {
     add_row(plan, report, to_sample_row(record, where), where);
+  } else if (kind == "errors") {
+    add_errors(plan, report, record, where);
   } else if (kind == "finding") {
     report.findings.push_back(finding_from(plan, record, where));
   } else if (kind == "done") {
@@ -94,6 +116,7 @@ void save_checkpoint(const std::string& directory, const FuzzPlan& plan, const F
   ChainedLog log;
   log.add(plan_record(plan));
   for (const SampleRow& row : rows_of(plan, report)) log.add(to_record(row));
+  log_errors(log, plan, report);
   for (const Finding& f : report.findings) log.add(finding_record(f));
   log.add({{"record", "done"}, {"cases", report.cases}, {"audited", report.audited}});
   write_file(checkpoint_path(directory), log.finish());

@@ -1,6 +1,7 @@
 #include "exact/record/judge_answers.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <unordered_map>
 
@@ -96,10 +97,35 @@ Facing side_at(const Json& object, const Where& where) {
   where.key("side").fail("expected \"front\" or \"back\" of a hit, found \"" + name + "\"");
 }
 
+/// A number as cases have them, or one that is none: a method may have computed it.
+double number_at(const Json& value, const Where& where) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (value == "nan") return std::numeric_limits<double>::quiet_NaN();
+  if (value == "inf" || value == "-inf") return value == "inf" ? infinity : -infinity;
+  return to_number(value, Format::binary64, where);
+}
+
+/// "t", and with it "weights": those of b and c.
+std::optional<HitAt> numbers_at(const Json& object, const Where& where) {
+  if (!object.contains("t")) {
+    if (object.contains("weights")) where.key("weights").fail("given without \"t\"");
+    return std::nullopt;
+  }
+  if (object.value("hit", Json()) != 1) where.key("t").fail("given of what is no hit");
+  HitAt at{.t = number_at(object["t"], where.key("t"))};
+  if (!object.contains("weights")) return at;
+  const Json& weights = object["weights"];
+  if (!weights.is_array() || weights.size() != 2) where.key("weights").fail("expected those of b and c, two numbers");
+  at.weights = BarycentricWeights{number_at(weights[0], where.key("weights").index(0)),
+                                  number_at(weights[1], where.key("weights").index(1))};
+  return at;
+}
+
 /// Keys that this program writes into answers but does not judge are allowed.
 Answer to_answer(const Json& object, const Where& where) {
   require_keys(
-      object, {"id", "method", "hit", "status", "class", "contact", "at", "side", "stage", "planar", "fault", "detail"},
+      object,
+      {"id", "method", "hit", "status", "class", "contact", "at", "side", "stage", "planar", "fault", "detail", "t", "weights"},
       where);
   const Status status = status_at(object, where);
   if (status != Status::ok) {
@@ -130,12 +156,13 @@ class Sheets {
     std::optional<Answer>& slot = sheet_of(method).answers[place->second];
     if (slot) where.fail("a second answer of " + method + " to \"" + id + "\", expected one");
     slot = answer;
+    sheet_of(method).numbers[place->second] = numbers_at(object, where);
   }
 
   std::vector<AnswerSheet> complete(const std::string& path) const {
     if (sheets_.empty()) throw bad_input(path, 0, "holds no answers, expected one JSON object a line");
     std::vector<AnswerSheet> sheets;
-    for (const Sheet& s : sheets_) sheets.push_back({s.method, complete(s, path)});
+    for (const Sheet& s : sheets_) sheets.push_back({s.method, complete(s, path), s.numbers});
     return sheets;
   }
 
@@ -143,13 +170,15 @@ class Sheets {
   struct Sheet {
     std::string method;
     std::vector<std::optional<Answer>> answers;
+    std::vector<std::optional<HitAt>> numbers;
   };
 
   Sheet& sheet_of(const std::string& method) {
     for (Sheet& s : sheets_) {
       if (s.method == method) return s;
     }
-    return sheets_.emplace_back(Sheet{method, std::vector<std::optional<Answer>>(ids_.size())});
+    return sheets_.emplace_back(
+        Sheet{method, std::vector<std::optional<Answer>>(ids_.size()), std::vector<std::optional<HitAt>>(ids_.size())});
   }
 
   std::vector<Answer> complete(const Sheet& sheet, const std::string& path) const {

@@ -1,6 +1,8 @@
 // Answers that were computed elsewhere, held against the exact ones.
 #pragma once
 
+#include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,10 +12,15 @@
 namespace tribunal {
 
 /// One method's answers, one for each case and in the order of the cases. Only `hit`, `status` and, of hits that say
-/// it, the contact are set.
+/// it, the contact are set. `numbers`: of hits that say it, t and the weights of b and c.
 struct AnswerSheet {
   std::string method;
   std::vector<Answer> answers;
+  std::vector<std::optional<HitAt>> numbers;
+
+  bool gives_numbers() const {
+    return std::ranges::any_of(numbers, [](const auto& n) { return n.has_value(); });
+  }
 };
 
 /// A case file with its exact answers, in the file's order.

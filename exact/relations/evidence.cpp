@@ -156,6 +156,11 @@ std::optional<CommonPoint> common_point(const Query& query) {
   return {};
 }
 
+bool is_degenerate(const Query& query) {
+  const Lifted q = lifted(query);
+  return is_zero(q.normal()) || is_zero(q.probe.d);
+}
+
 /// The difference D of the operands misses the origin. If D is a solid, a facet of it separates: normals of the
 /// triangle or of an edge and the probe. If D is flat, its plane does, or an edge of D within it: such a normal times
 /// an edge. If D lies on a line, that line's direction does, or the perpendicular from the origin to the line.

@@ -23,6 +23,9 @@ struct CommonPoint {
 /// only after checking, by dot and cross products, that it lies on the probe and on the triangle. Finite operands.
 std::optional<CommonPoint> common_point(const Query& query);
 
+/// Whether the triangle has no area, or the probe is a point. Finite operands.
+bool is_degenerate(const Query& query);
+
 /// Whether some plane has the triangle strictly on one side and the probe strictly on the other. Two disjoint
 /// polyhedra with n generators have one whose normal is a facet normal of their difference, so a short list of normals
 /// suffices: products of edges, and in flatter cases products of those with edges. Each is checked at every vertex.

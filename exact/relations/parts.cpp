@@ -1,4 +1,5 @@
 // Relations among several queries: exact subdivision, degenerate operands, and answers checked by evidence.
+#include <algorithm>
 #include <cmath>
 
 #include "exact/cases/families/bounds.h"
@@ -21,13 +22,18 @@ std::optional<bool> any_hit(const Method& method, const std::vector<Query>& quer
   return any;
 }
 
-/// Says nothing about methods whose answers depend on more than the two point sets.
+/// Whether the contract takes all of the queries, which are of triangles.
+bool takes_all(const Contract& c, const std::vector<Query>& queries) {
+  return c.triangles == Triangles::any || std::ranges::none_of(queries, is_degenerate);
+}
+
+/// Says nothing about methods whose answers depend on more than the two point sets, or which do not take a query.
 template <class Holds>
 Instance between(std::vector<Query> one, const std::vector<Query>& other, const Holds& holds) {
   const std::size_t middle = one.size();
   one.insert(one.end(), other.begin(), other.end());
   const auto ask = [queries = one, middle, holds](const Method& method) -> std::optional<bool> {
-    if (!reads_point_sets(method.contract)) return {};
+    if (!reads_point_sets(method.contract) || !takes_all(method.contract, queries)) return {};
     const auto before = any_hit(method, queries, 0, middle), after = any_hit(method, queries, middle, queries.size());
     if (!before || !after) return {};
     return holds(*before, *after);
@@ -78,7 +84,7 @@ Due owed_to(const Method& method, const Query& query, const CommonPoint& x) {
 
 std::optional<bool> is_evident(const Answer& answer, const Query& query, const std::optional<CommonPoint>& x,
                                const Method& method) {
-  if (answer.status != Status::ok || !answer.hit) return {};
+  if (answer.status != Status::ok || !answer.hit || !takes_all(method.contract, {query})) return {};
   const Due owed = x ? owed_to(method, query, *x) : Due::miss;
   if (owed == Due::nothing) return {};
   return owed == Due::hit && agrees(answer, *x);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "exact/base/fault.h"
 #include "exact/base/parallel.h"
 #include "exact/base/progress.h"
 #include "exact/relations/polygon_rows.h"
@@ -78,21 +79,50 @@ class Asked {
   std::optional<Truth> truth_{};
 };
 
-void ask(const Method& method, const Instance& instance, std::uint64_t g, RelationCount& count) {
-  if (const std::optional<bool> holds = instance.holds(method)) count.add(*holds, g, instance.queries);
+void ask(const Method& method, const Instance& instance, std::uint64_t g, OnFault on_fault, RelationCount& count) {
+  try {
+    if (const std::optional<bool> holds = instance.holds(method)) count.add(*holds, g, instance.queries);
+  } catch (const MethodFault&) {
+    if (on_fault == OnFault::end) throw;
+    ++count.faults;
+  }
 }
 
-/// Checks all relations on a query. The random numbers of a relation are a function of the case and the relation, so
-/// every method sees the same queries.
-void ask_all(const FuzzPlan& plan, Asked asked, std::uint64_t g, std::vector<RelationCount>& counts) {
+/// The random numbers of a relation are a function of the case and the relation, so every method sees the same queries.
+std::optional<Instance> instance_of(const FuzzPlan& plan, std::size_t relation, const Asked& asked, std::uint64_t g) {
   const Operands operands = plan.operands();
-  const std::span<const Relation> relations = relations_of(operands);
-  for (std::size_t r = 0; r < relations.size(); ++r) {
-    Draw draw(static_cast<std::uint32_t>(streams_of_relations(operands).first + r), plan.seed, g);
-    const std::optional<Instance> instance = relations[r].of(asked.query(), asked.format(), draw);
+  Draw draw(static_cast<std::uint32_t>(streams_of_relations(operands).first + relation), plan.seed, g);
+  return relations_of(operands)[relation].of(asked.query(), asked.format(), draw);
+}
+
+/// Entries by method, relation, format and kind of probe.
+std::size_t place_of(const FuzzPlan& plan, std::size_t method, std::size_t relation, const Asked& asked) {
+  const std::size_t row = method * relations_of(plan.operands()).size() + relation;
+  return (row * 2 + (asked.format() == Format::binary32 ? 1 : 0)) * 2 + (is_of_ray(asked.query()) ? 1 : 0);
+}
+
+std::vector<RelationCount> no_counts(const FuzzPlan& plan) {
+  std::vector<RelationCount> counts;
+  for (std::size_t m = 0; m < plan.methods.size(); ++m) {
+    for (std::size_t r = 0; r < relations_of(plan.operands()).size(); ++r) {
+      for (const Format format : {Format::binary64, Format::binary32}) {
+        for (const bool rays : {false, true}) {
+          counts.push_back({.method = m, .relation = r, .format = format, .of_rays = rays});
+        }
+      }
+    }
+  }
+  return counts;
+}
+
+/// Checks all relations on a query.
+void ask_all(const FuzzPlan& plan, Asked asked, std::uint64_t g, OnFault on_fault, std::vector<RelationCount>& counts) {
+  for (std::size_t r = 0; r < relations_of(plan.operands()).size(); ++r) {
+    const std::optional<Instance> instance = instance_of(plan, r, asked, g);
     if (!instance) continue;
     for (std::size_t m = 0; m < plan.methods.size(); ++m) {
-      if (asked.is_owed_by(plan.methods[m])) ask(plan.methods[m], *instance, g, counts[m * relations.size() + r]);
+      if (!asked.is_owed_by(plan.methods[m])) continue;
+      ask(plan.methods[m], *instance, g, on_fault, counts[place_of(plan, m, r, asked)]);
     }
   }
 }
@@ -105,11 +135,13 @@ std::optional<Query> as_ray(const Query& query, Format format) {
   return is_finite(d) ? Query{Ray{s->p, {d}}, query.target} : std::optional<Query>{};
 }
 
-void run_case(const FuzzPlan& plan, std::uint64_t g, std::vector<RelationCount>& counts) {
+/// Case g of the plan: its query, and the ray that is made of it.
+template <class Visit>
+void visit_queries(const FuzzPlan& plan, std::uint64_t g, const Visit& visit) {
   const Stream& stream = plan.streams[g % plan.streams.size()];
   const Trial trial = stream.family->make(stream.format, plan.seed, g / plan.streams.size());
-  ask_all(plan, {trial.query, stream.format}, g, counts);
-  if (const auto ray = as_ray(trial.query, stream.format)) ask_all(plan, {*ray, stream.format}, g, counts);
+  visit(Asked(trial.query, stream.format));
+  if (const auto ray = as_ray(trial.query, stream.format)) visit(Asked(*ray, stream.format));
 }
 
 }  // namespace
@@ -119,18 +151,24 @@ std::span<const Relation> relations_of(Operands operands) {
   return of_polygons;
 }
 
-std::vector<RelationCount> check_relations(const FuzzPlan& plan) {
+std::optional<Instance> instance_of(const FuzzPlan& plan, std::size_t relation, std::uint64_t g, bool of_rays) {
+  std::optional<Instance> found;
+  visit_queries(plan, g, [&](const Asked& asked) {
+    if (is_of_ray(asked.query()) == of_rays) found = instance_of(plan, relation, asked, g);
+  });
+  return found;
+}
+
+std::vector<RelationCount> check_relations(const FuzzPlan& plan, OnFault on_fault) {
   const std::uint64_t block_size = block_size_of(plan.operands()) / 4;
-  std::vector<RelationCount> counts;
-  for (std::size_t m = 0; m < plan.methods.size(); ++m) {
-    for (std::size_t r = 0; r < relations_of(plan.operands()).size(); ++r)
-      counts.push_back({.method = m, .relation = r});
-  }
+  std::vector<RelationCount> counts = no_counts(plan);
   std::vector<std::vector<RelationCount>> workers(plan.threads, counts);
   Progress progress("relations", "cases", plan.cases);
   run_blocks((plan.cases + block_size - 1) / block_size, plan.threads, [&](std::size_t block, unsigned w) {
     const std::uint64_t end = std::min(plan.cases, (block + 1) * block_size);
-    for (std::uint64_t g = block * block_size; g < end; ++g) run_case(plan, g, workers[w]);
+    for (std::uint64_t g = block * block_size; g < end; ++g) {
+      visit_queries(plan, g, [&](const Asked& asked) { ask_all(plan, asked, g, on_fault, workers[w]); });
+    }
     progress.add(end - block * block_size);
   });
   for (const std::vector<RelationCount>& worker : workers) {

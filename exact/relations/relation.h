@@ -32,10 +32,14 @@ struct Relation {
 /// All relations about these operands. Adding one is adding a row.
 std::span<const Relation> relations_of(Operands operands);
 
-/// How often a method broke a relation, and the first case that shows it.
+/// How often a method broke a relation on cases of one format with one kind of probe, and the first case that shows it.
+/// Each case of the plan counts once here at most.
 struct RelationCount {
   std::size_t method = 0, relation = 0;
+  Format format = Format::binary64;
+  bool of_rays = false;
   std::uint64_t asked = 0, broken = 0;
+  std::uint64_t faults = 0;                 ///< not in `asked`: the method did something else than answer
   std::vector<Query> witness{};             ///< the queries of the first instance that broke it
   std::uint64_t first = ~std::uint64_t{0};  ///< the number of its case
 
@@ -50,6 +54,7 @@ struct RelationCount {
   RelationCount& operator+=(const RelationCount& other) {
     asked += other.asked;
     broken += other.broken;
+    faults += other.faults;
     if (other.broken > 0) keep(other.first, other.witness);
     return *this;
   }
@@ -62,9 +67,16 @@ struct RelationCount {
   }
 };
 
+/// What becomes of a method that does something else than answer: the check ends with its fault, or it is counted.
+enum class OnFault : std::uint8_t { end, count };
+
 /// Checks every relation of the plan's operands on every case of the plan (a segment and a triangle also as the ray
 /// through it, from p in the direction of q − p, as that rounds), for every method that promises an answer to it; one
-/// entry for each method × relation. Deterministic for any number of threads.
-std::vector<RelationCount> check_relations(const FuzzPlan& plan);
+/// entry for each method × relation × format × kind of probe, in this order. Deterministic for any number of threads.
+std::vector<RelationCount> check_relations(const FuzzPlan& plan, OnFault on_fault = OnFault::end);
+
+/// What the relation says of case g of the plan, or of the ray that is made of its segment, where `of_rays` asks for
+/// it. Nothing where the case has no such probe, or the relation says nothing.
+std::optional<Instance> instance_of(const FuzzPlan& plan, std::size_t relation, std::uint64_t g, bool of_rays);
 
 }  // namespace tribunal

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <tuple>
 
 #include "exact/base/failure.h"
@@ -10,6 +11,7 @@
 #include "exact/base/parallel.h"
 #include "exact/base/progress.h"
 #include "exact/cases/family_table.h"
+#include "exact/trial/exact_hit.h"
 #include "exact/trial/prepared.h"
 
 namespace tribunal {
@@ -39,11 +41,13 @@ struct Chunk {
   std::uint64_t first_k = 0;
   std::vector<Trial> trials{};
   std::vector<Truth> truths{};
+  std::vector<std::optional<ExactHit>> exact_hits{};  ///< of the cases that are measured; empty if no method needs them
 };
 
 /// The chunk and the answers to it keep their memory from one to the next.
 struct Worker {
   CountTable counts;
+  std::vector<HitErrors> errors;
   unsigned number = 0;
   FirstFindings findings{};
   std::uint64_t wrong = 0, audited = 0;
@@ -67,6 +71,18 @@ Truth truth_in(const FuzzPlan& plan, std::size_t stream, std::uint64_t k, const 
   return one_faces(plan.methods) ? quick_truth_with_facing(trial, plan.quick) : quick_truth(trial, plan.quick);
 }
 
+/// Where a ray hits, for the share of the cases of which that is measured.
+void add_exact_hits(const FuzzPlan& plan, Chunk& chunk) {
+  chunk.exact_hits.clear();
+  if (plan.operands() == Operands::polygons || std::ranges::none_of(plan.methods, gives_numbers)) return;
+  chunk.exact_hits.resize(chunk.trials.size());
+  for (std::size_t i = 0; i < chunk.trials.size(); ++i) {
+    const Query& query = chunk.trials[i].query;
+    if (!is_measured(plan.seed, chunk.stream, chunk.first_k + i) || !has_numbers(query, chunk.truths[i])) continue;
+    chunk.exact_hits[i] = exact_hit(std::get<Ray>(query.probe), query.triangle());
+  }
+}
+
 void make_chunk(const FuzzPlan& plan, std::size_t stream, std::uint64_t first_k, std::uint64_t end_k, Worker& worker) {
   Chunk& chunk = worker.chunk;
   chunk.stream = stream;
@@ -78,6 +94,7 @@ void make_chunk(const FuzzPlan& plan, std::size_t stream, std::uint64_t first_k,
     chunk.trials.push_back(source.family->make(source.format, plan.seed, k));
     chunk.truths.push_back(truth_in(plan, stream, k, chunk.trials.back(), worker));
   }
+  add_exact_hits(plan, chunk);
 }
 
 /// A method that leaves its thread in another environment would spoil every answer after its own, oracles included.
@@ -114,6 +131,20 @@ Answer held_against_ask(const Method& method, const Query& query, const Answer& 
   if (is_fault(by_ask.status)) return by_ask;
   const bool same = by_ask.status == answer.status && by_ask.hit == answer.hit;
   return same ? answer : refusal(Status::differs_in_batch);
+}
+
+/// What the method gives with right hits. In a loop of its own: the method may leave another environment behind.
+void measure_chunk(const FuzzPlan& plan, std::size_t m, Worker& worker) {
+  const Method& method = plan.methods[m];
+  const Chunk& chunk = worker.chunk;
+  if (!gives_numbers(method) || chunk.exact_hits.empty()) return;
+  HitErrors& errors = worker.errors[plan.errors_at(m, chunk.stream)];
+  for (std::size_t i = 0; i < chunk.trials.size(); ++i) {
+    const Answer& answer = worker.answers[i];
+    if (!chunk.exact_hits[i] || !answer.hit || judge(method, chunk.truths[i], answer) != Outcome::right) continue;
+    const std::optional<HitAt> given = numbers_of(method, chunk.trials[i].query);
+    add_numbers(errors, given, *chunk.exact_hits[i], method.contract.format, chunk.first_k + i);
+  }
 }
 
 void judge_chunk(const FuzzPlan& plan, std::size_t m, Worker& worker) {
@@ -155,7 +186,9 @@ void run_cases(const FuzzPlan& plan, std::uint64_t first, std::uint64_t end, Wor
   for (std::size_t stream = 0; stream < n; ++stream) {
     make_chunk(plan, stream, number_below(first, stream), number_below(end, stream), worker);
     for (std::size_t m = 0; m < plan.methods.size(); ++m) {
-      if (takes(plan.methods[m], plan.streams[stream].format)) judge_chunk(plan, m, worker);
+      if (!takes(plan.methods[m], plan.streams[stream].format)) continue;
+      judge_chunk(plan, m, worker);
+      measure_chunk(plan, m, worker);
     }
   }
 }
@@ -169,7 +202,8 @@ std::vector<Finding> in_order(const FirstFindings& kept, std::size_t streams) {
 
 /// Goes on from the report until the plan's end or `stop`, by whole blocks.
 void run_slice(const FuzzPlan& plan, FuzzReport& report, Progress& progress, const std::function<bool()>& stop) {
-  std::vector<Worker> workers(plan.threads, Worker{.counts = empty_report(plan).counts});
+  const FuzzReport empty = empty_report(plan);
+  std::vector<Worker> workers(plan.threads, Worker{.counts = empty.counts, .errors = empty.errors});
   for (unsigned w = 0; w < plan.threads; ++w) workers[w].number = w;
   const std::uint64_t start = report.cases;
   const auto begin_of = [&](std::size_t block) {
@@ -190,6 +224,7 @@ void run_slice(const FuzzPlan& plan, FuzzReport& report, Progress& progress, con
   for (const Worker& w : workers) {
     report.counts += w.counts;
     report.audited += w.audited;
+    for (std::size_t i = 0; i < report.errors.size(); ++i) report.errors[i] += w.errors[i];
     for (const auto& [key, finding] : w.findings) keep_first(kept, finding);
   }
   report.findings = in_order(kept, plan.streams.size());
@@ -206,6 +241,7 @@ std::size_t most_levels(const FuzzPlan& plan) {
 FuzzReport empty_report(const FuzzPlan& plan) {
   const std::size_t levels = most_levels(plan);
   return {.counts = CountTable(plan.methods.size(), plan.streams.size(), levels, slots_of(plan.operands())),
+          .errors = std::vector<HitErrors>(plan.methods.size() * plan.streams.size()),
           .findings = {}};
 }
 

@@ -11,6 +11,7 @@
 #include "exact/cases/families/family.h"
 #include "exact/trial/count_table.h"
 #include "exact/trial/quick_truth.h"
+#include "exact/trial/ulps.h"
 
 namespace tribunal {
 
@@ -47,6 +48,9 @@ struct FuzzPlan {
   std::function<void(unsigned worker, const JudgedAnswer&)> watch{};  ///< told of every answer, in no order
 
   Operands operands() const { return streams.front().family->operands; }
+
+  /// Where the errors of a method on a stream stand.
+  std::size_t errors_at(std::size_t method, std::size_t stream) const { return method * streams.size() + stream; }
 };
 
 /// A wrong answer, with all that is needed to make the case again.
@@ -73,6 +77,8 @@ struct FuzzReport {
   std::uint64_t audited = 0;   ///< of all, judged by `quick` and by the oracles, which agreed
   double seconds = 0;          ///< of this run
   CountTable counts;
+  std::vector<HitErrors> errors;  ///< of numbers given with right hits, by method × stream; of one case in
+                                  ///< `measured_period`
   std::vector<Finding> findings;  ///< the first of each method × stream × slot × fault × outcome × severity, by case
                                   ///< number
 };

@@ -66,8 +66,12 @@ ClassId certified_class(const Query& query) {
   return is_of_ray(query) ? ray_class_of(signs) : class_of(signs);
 }
 
+std::uint64_t hash_of_case(std::uint64_t seed, std::uint64_t stream, std::uint64_t k) {
+  return mixed(mixed(mixed(seed + golden) + golden * (stream + 1)) + golden * (k + 1));
+}
+
 bool is_audited(std::uint64_t seed, std::uint64_t stream, std::uint64_t k) {
-  return mixed(mixed(mixed(seed + golden) + golden * (stream + 1)) + golden * (k + 1)) % audit_period == 0;
+  return hash_of_case(seed, stream, k) % audit_period == 0;
 }
 
 Truth quick_truth(const Trial& trial, ClassBy quick) {

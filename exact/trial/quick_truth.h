@@ -17,6 +17,9 @@ ClassId certified_class(const Query& query);
 /// One case in so many is judged by the oracles too.
 inline constexpr std::uint64_t audit_period = 256;
 
+/// A number that a case's seed, stream and number are mixed into.
+std::uint64_t hash_of_case(std::uint64_t seed, std::uint64_t stream, std::uint64_t k);
+
 /// Whether this case is one of them: by a hash of its number, so that no class, level or kind of probe is left out or
 /// preferred, as it would be by a stride.
 bool is_audited(std::uint64_t seed, std::uint64_t stream, std::uint64_t k);

@@ -117,3 +117,22 @@ for id in huge ring edge plain; do echo '{"id":"'$id'","hit":0}'; done >all_miss
 expect 1 judge --cases mixed.jsonl --answers all_miss.jsonl --out mixed
 [ "$(grep -o '^{"id":"[a-z]*"' mixed/counterexamples.jsonl | cut -d'"' -f4 | tr '\n' ' ')" = 'plain ring edge huge ' ]
 expect 0 verify mixed
+# t and the weights of hits, where answers have them: how far off they are, in ulps of the exact value.
+cat >rays.jsonl <<'CASES'
+{"id":"a","ray":{"o":[0.25,0.5,3],"d":[0,0,-1]},"tri":[[0,0,0],[1,0,0],[0,1,0]]}
+{"id":"b","ray":{"o":[0.25,0.5,6],"d":[0,0,-2]},"tri":[[0,0,0],[1,0,0],[0,1,0]]}
+{"id":"miss","ray":{"o":[5,5,3],"d":[0,0,-1]},"tri":[[0,0,0],[1,0,0],[0,1,0]]}
+CASES
+cat >numbers.jsonl <<'ANSWERS'
+{"id":"a","hit":1,"t":3,"weights":[0.25,0.5]}
+{"id":"b","hit":1,"t":"0x1.8000000000002p+1","weights":[0.5,0.25]}
+{"id":"miss","hit":0}
+ANSWERS
+expect 0 judge --cases rays.jsonl --answers numbers.jsonl --out numbers
+says out 'ulps     t, binary64: half within 0, 99 % within 2, at most 2 ulps (case 1), of 2; the most in your own cases'
+says out 'weights, binary64: half within 0, 99 % within 9.01e+15'
+expect 0 verify numbers
+sed 's/,"t":3,/,/' numbers.jsonl >no-t.jsonl
+expect 3 judge --cases rays.jsonl --answers no-t.jsonl && says err 'given without "t"'
+sed 's/"hit":0/"hit":0,"t":1/' numbers.jsonl >miss-t.jsonl
+expect 3 judge --cases rays.jsonl --answers miss-t.jsonl && says err 'given of what is no hit'

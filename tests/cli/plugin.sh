@@ -42,6 +42,18 @@ expect 2 shrink first.jsonl && says err 'names an unknown method, my-mt'
 expect 1 certify --plugin planted.so --method my-mt --out certificate && says out 'my-mt: refuted'
 expect 0 chart --plugin mine.so --method my-mt,mt-double --count 600 --repetitions 9 --threads 1 --out charts && says charts/chart.json my-mt
 
+# A relation shows an absolute epsilon where sound tests in binary64 keep it; t is told, and how far off it is.
+plugin epsilon -DABSOLUTE_EPSILON=1e-9 "$example"
+expect 0 fuzz --relations --plugin mine.so --method my-mt --family plain --count 2000
+expect 1 fuzz --relations --plugin epsilon.so --method my-mt --family plain --count 2000 --out relations
+/usr/bin/python3 - <<'PYTHON'
+import json
+rows = [r for r in json.load(open("relations/relations.json"))["relations"] if r["relation"] == "scale"]
+assert {(r["fmt"], r["probes"]) for r in rows} == {(f, p) for f in ("binary32", "binary64") for p in ("ray", "segment")}
+assert all(20 * r["broken"] > r["asked"] > 100 for r in rows), rows
+PYTHON
+expect 0 fuzz --plugin mine.so --method my-mt --family plain --count 8000 --out numbers && says out 'my-mt                  plain     binary64   t: half within'
+
 # A library of version 1, compiled with the header of that time, is the same method to the byte; what follows its shorter
 # description in memory is not read.
 old=$SOURCE_DIR/tests/plugin/version1

@@ -1,8 +1,11 @@
 // Certificates: what they say, that they follow from their log, and that a changed log is noticed.
 #include <algorithm>
+#include <cmath>
 
 #include "exact/cases/family_table.h"
 #include "exact/certificate/verify.h"
+#include "exact/plugin/load.h"
+#include "exact/relations/relation.h"
 #include "tests/exact/certificate_support.h"
 
 namespace tribunal {
@@ -180,6 +183,13 @@ TEST_F(CertificateTest, WhatTheBudgetOwesCannotBeDropped) {
       [&](auto& all) { std::erase_if(all, [&](const Json& r) { return is(r, "set") && r["probes"] == "ray"; }); },
       [&](auto& all) { std::erase_if(all, [&](const Json& r) { return r.value("method", "") == "sf-float"; }); },
       [&](auto& all) { std::erase_if(all, [&](const Json& r) { return is(r, "budget"); }); },
+      [&](auto& all) { std::erase_if(all, [&](const Json& r) { return is(r, "relation"); }); },
+      [&](auto& all) { std::erase_if(all, [&](const Json& r) { return r.value("relation", "") == "scale"; }); },
+      [&](auto& all) {
+        for (Json& r : all) {
+          if (is(r, "budget")) r["relation_cases"] = 1;
+        }
+      },
       [&](auto& all) {
         for (Json& r : all) {
           if (is(r, "plan")) r["seed"] = 2;
@@ -264,6 +274,95 @@ TEST_F(CertificateTest, WhatIsRefusedIsNamed) {
   EXPECT_TRUE(std::ranges::any_of(c.gaps, [](const Gap& g) {
     return g.what.find("affine binary64 C") != std::string::npos && g.what.find(" of 4") != std::string::npos;
   }));
+}
+
+/// Planted: an absolute epsilon on points, in a plugin. On the small integers of the sets that are run whole it is
+/// right; the relation `scale` shows it, with a witness that follows from budget and seed, and a shrunk counterexample.
+int with_absolute_epsilon(int probe, const double x[15]) {
+  double v[15];
+  for (int i = 0; i < 15; ++i) {
+    const bool of_direction = probe == TRIBUNAL_RAY && i >= 3 && i < 6;
+    v[i] = !of_direction && std::fabs(x[i]) < 1e-9 ? 0 : x[i];
+  }
+  const Triangle t{{v[6], v[7], v[8]}, {v[9], v[10], v[11]}, {v[12], v[13], v[14]}};
+  const Point3 p(v[0], v[1], v[2]), q(v[3], v[4], v[5]);
+  static const Method exact = method("sf-filtered");
+  return (probe == TRIBUNAL_RAY ? exact.ray({p, {q}}, t) : exact.segment({p, q}, t)).hit ? TRIBUNAL_HIT : TRIBUNAL_MISS;
+}
+
+TEST_F(CertificateTest, RelationsShowAnAbsoluteEpsilon) {
+  tribunal_plugin plugin{};
+  plugin.abi = TRIBUNAL_PLUGIN_ABI;
+  plugin.name = "epsilon";
+  plugin.summary = "calls what is small zero";
+  plugin.format = TRIBUNAL_BINARY64;
+  plugin.ask = with_absolute_epsilon;
+  const Certificate c =
+      write({.method = plugin_method(plugin, "x.so"), .budget = {"tiny", 1, false, 1, 200}, .threads = 2});
+  EXPECT_EQ(c.verdict, Verdict::refuted);
+  for (const ProvedSet& s : c.proved) EXPECT_EQ(s.count.wrong, 0U) << s.name;
+  const auto scale =
+      std::ranges::find_if(c.relations, [](const RelationRow& r) { return r.name == "scale" && r.broken > 0; });
+  ASSERT_NE(scale, c.relations.end());
+  EXPECT_GT(scale->broken * 100, scale->asked) << "more than one in a hundred";
+  EXPECT_EQ(scale->witness.size(), 2U);
+  EXPECT_NE(c.worst().find("scale"), std::string::npos);
+  EXPECT_NE(to_summary(c).find("  BROKEN   scale, "), std::string::npos);
+  EXPECT_NE(to_markdown(c).find("## Relations"), std::string::npos);
+  EXPECT_TRUE(
+      std::ranges::any_of(c.counterexamples, [](const Json& x) { return x.value("source", "") == "relation scale"; }));
+  EXPECT_TRUE(verify(directory_).faults.empty());
+  // The verdict rests on relations alone where nothing else is wrong.
+  forge([](std::vector<Json>& all) {
+    for (Json& r : all) {
+      if (!r.contains("counts")) continue;
+      for (auto& item : r["counts"].items()) {
+        Json& n = item.value();
+        n = {n[0], 0, n.size() > 2 ? n[2] : Json(0)};
+      }
+    }
+    std::erase_if(all, [](const Json& r) { return r["record"] == "counterexample"; });
+  });
+  EXPECT_EQ(verify(directory_).certificate.verdict, Verdict::refuted);
+  // A witness of one's own making is noticed.
+  forge([](std::vector<Json>& all) {
+    for (Json& r : all) {
+      if (r["record"] == "relation" && r["broken"] > 0) r["first"] = r["first"].get<std::uint64_t>() + 38;
+    }
+  });
+  EXPECT_FALSE(verify(directory_).faults.empty());
+}
+
+TEST_F(CertificateTest, RelationsHoldForExactMethodsAndAreListed) {
+  const Certificate c = write({.method = method("sf-epick"), .budget = {"tiny", 1, false}, .threads = 2});
+  EXPECT_EQ(c.relations.size(), 4 * relations_of(Operands::triangles).size()) << "by format and kind of probe";
+  EXPECT_TRUE(c.broken_relations().empty());
+  std::uint64_t asked = 0;
+  for (const RelationRow& r : c.relations) asked += r.asked;
+  EXPECT_GT(asked, 10'000U);
+  EXPECT_TRUE(verify(directory_, 2).faults.empty());
+  forge([](std::vector<Json>& all) {
+    for (Json& r : all) {
+      if (r["record"] == "relation" && r["asked"] > 0) r["asked"] = r["asked"].get<std::uint64_t>() - 1;
+    }
+  });
+  EXPECT_FALSE(verify(directory_, 2).faults.empty()) << "made-up counts are told by a rerun";
+}
+
+/// A log of version 2 has no relations and owes none.
+TEST_F(CertificateTest, LogsWithoutRelationsStillVerify) {
+  write({.method = method("sf-epick"), .budget = {"tiny", 1, false}, .threads = 2});
+  forge([](std::vector<Json>& all) {
+    for (Json& r : all) {
+      if (r["record"] == "plan") r["version"] = 2;
+      if (r["record"] == "budget") r.erase("relation_cases");
+    }
+    std::erase_if(all, [](const Json& r) { return r["record"] == "relation" || r["record"] == "errors"; });
+  });
+  const Verification v = verify(directory_);
+  EXPECT_TRUE(v.faults.empty());
+  EXPECT_EQ(v.certificate.verdict, Verdict::not_refuted);
+  EXPECT_FALSE(to_json(v.certificate).contains("relations"));
 }
 
 /// A method that answers nothing has no certificate.

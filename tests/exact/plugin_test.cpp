@@ -273,6 +273,17 @@ TEST(Plugin, TellsContactAndParameter) {
     hits += t.has_value();
   }
   EXPECT_GT(hits, 50);
+  EXPECT_FALSE(method.hit) << "it does not say that it tells weights";
+  plugin.tells_t = TRIBUNAL_TELLS_T + TRIBUNAL_TELLS_WEIGHTS;
+  plugin.tell = [](int, const double*, tribunal_hit* hit) -> int {
+    *hit = {.contact = TRIBUNAL_CONTACT_EDGE, .has_t = 1, .t = 3, .has_weights = 1, .weight_b = 0.25, .weight_c = 0.5};
+    return TRIBUNAL_HIT;
+  };
+  const std::optional<HitAt> at = plugin_method(plugin, "x.so").hit({{0, 0, 1}, {{0, 0, -1}}}, through.triangle());
+  ASSERT_TRUE(at && at->weights);
+  EXPECT_EQ(at->t, 3);
+  EXPECT_EQ(at->weights->b, 0.25);
+  EXPECT_EQ(at->weights->c, 0.5);
   plugin.tell = [](int, const double*, tribunal_hit* hit) -> int { return hit->contact = 5, TRIBUNAL_HIT; };
   EXPECT_THROW(plugin_method(plugin, "x.so").ask(through), Failure);
 }

@@ -13,6 +13,7 @@
 #include "exact/relations/relation.h"
 #include "exact/shrink/shrink.h"
 #include "exact/trial/coverage.h"
+#include "tests/exact/relation_totals.h"
 
 namespace tribunal {
 namespace {
@@ -27,7 +28,7 @@ FuzzPlan plan_for(const std::vector<std::string>& names, std::uint64_t cases) {
 
 TEST(PolygonRelations, HoldForExactMethods) {
   const FuzzPlan plan = plan_for({"sf-rational", "sf-epick"}, 2'800);
-  for (const RelationCount& c : check_relations(plan)) {
+  for (const RelationCount& c : testing::relation_totals(plan)) {
     const std::string where =
         plan.methods[c.method].name + " " + std::string(relations_of(Operands::polygons)[c.relation].name);
     EXPECT_EQ(c.broken, 0U) << where;
@@ -37,7 +38,7 @@ TEST(PolygonRelations, HoldForExactMethods) {
 
 TEST(PolygonRelations, AreBrokenByNaiveArithmetic) {
   std::uint64_t broken = 0;
-  for (const RelationCount& c : check_relations(plan_for({"sf-double"}, 2'800))) {
+  for (const RelationCount& c : testing::relation_totals(plan_for({"sf-double"}, 2'800))) {
     broken += c.broken;
     EXPECT_EQ(c.witness.size(), c.broken > 0 ? 2U : 0U) << "a query and its change";
   }
@@ -59,7 +60,7 @@ TEST(PolygonRelations, ThreadsDoNotShow) {
 
 /// A crossing count may answer either way on the boundary: that breaks no promise.
 TEST(PolygonRelations, AreAskedWithinTheContractOnly) {
-  const auto counts = check_relations(plan_for({"sf-rational", "haines-double"}, 1'400));
+  const auto counts = testing::relation_totals(plan_for({"sf-rational", "haines-double"}, 1'400));
   const std::size_t n = relations_of(Operands::polygons).size();
   for (std::size_t r = 0; r < n; ++r) {
     EXPECT_GT(counts[n + r].asked, 0U);

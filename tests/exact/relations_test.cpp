@@ -9,6 +9,7 @@
 #include "exact/oracles/caratheodory.h"
 #include "exact/relations/evidence.h"
 #include "exact/relations/relation.h"
+#include "tests/exact/relation_totals.h"
 
 namespace tribunal {
 namespace {
@@ -74,6 +75,20 @@ const RelationCount& count_of(const std::vector<RelationCount>& counts, std::str
   return *std::find_if(counts.begin(), counts.end(), named);
 }
 
+/// A method that takes no degenerate operands answers anything there, and no relation may blame it.
+TEST(Relations, AskNothingBeyondTheContract) {
+  Method proper = *find_method("sf-epick");
+  proper.contract.triangles = Triangles::proper;
+  proper.segment = [right = proper.segment](const Segment& s, const Triangle& t) {
+    return is_degenerate({s, t}) ? hit_at(Contact::unsaid) : right(s, t);
+  };
+  for (const RelationCount& c : testing::relation_totals(plan_for({proper}, 2'600))) {
+    EXPECT_EQ(c.broken, 0U) << relations_of(Operands::triangles)[c.relation].name;
+  }
+  proper.contract.triangles = Triangles::any;
+  EXPECT_GT(count_of(testing::relation_totals(plan_for({proper}, 2'600)), "end").broken, 0U);
+}
+
 std::vector<Method> exact_methods() {
   std::vector<Method> methods;
   for (const Method& method : all_methods()) {
@@ -85,7 +100,7 @@ std::vector<Method> exact_methods() {
 TEST(Relations, HoldForExactMethodsOnEveryFamily) {
   const FuzzPlan plan = plan_for(exact_methods(), 2'600);
   ASSERT_GE(plan.methods.size(), 5U);
-  for (const RelationCount& c : check_relations(plan)) {
+  for (const RelationCount& c : testing::relation_totals(plan)) {
     const Method& method = plan.methods[c.method];
     const std::string where = method.name + " " + std::string(relations_of(Operands::triangles)[c.relation].name);
     EXPECT_EQ(c.broken, 0U) << where;
@@ -98,7 +113,7 @@ TEST(Relations, HoldForExactMethodsOnEveryFamily) {
 TEST(Relations, AreBrokenByNaiveArithmetic) {
   std::set<std::string_view> broken;
   for (const RelationCount& c :
-       check_relations(plan_for({*find_method("sf-double"), *find_method("sf-float")}, 7'800))) {
+       testing::relation_totals(plan_for({*find_method("sf-double"), *find_method("sf-float")}, 7'800))) {
     if (c.broken > 0) broken.insert(relations_of(Operands::triangles)[c.relation].name);
     EXPECT_EQ(!c.witness.empty(), c.broken > 0);
   }
@@ -114,7 +129,9 @@ Method spoilt(std::function<Answer(const Segment&, const Triangle&)> segment) {
   return bad;
 }
 
-std::vector<RelationCount> counts_of(const Method& method) { return check_relations(plan_for({method}, 2'600)); }
+std::vector<RelationCount> counts_of(const Method& method) {
+  return testing::relation_totals(plan_for({method}, 2'600));
+}
 
 Answer right(const Segment& s, const Triangle& t) { return find_method("sf-epick")->segment(s, t); }
 
@@ -160,6 +177,7 @@ TEST(Relations, ThreadsDoNotShow) {
   for (std::size_t i = 0; i < one.size(); ++i) {
     EXPECT_EQ(one[i].asked, five[i].asked);
     EXPECT_EQ(one[i].broken, five[i].broken);
+    EXPECT_EQ(one[i].first, five[i].first);
   }
 }
 
