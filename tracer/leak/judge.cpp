@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "exact/filtered/rounded_parameter.h"
+#include "tracer/leak/normal.h"
 
 namespace tribunal::leak {
 namespace {
@@ -39,6 +40,11 @@ class Trial {
   }
 
   Verdict of(const Testimony& said) {
+    if (said.fault) {
+      verdict_.add(Outcome::fault, truth_.crossed.empty() ? 0 : truth_.crossed.front().face);
+      verdict_.fault = describe(said.fault);
+      return verdict_;
+    }
     if (said.hits) judge_hits(*said.hits);
     if (said.any) judge_any(*said.any);
     if (said.closest) judge_closest(said, *said.closest);
@@ -198,7 +204,7 @@ class Trial {
 
   void judge_any(bool any) {
     if (!any && some_hit_is_due()) lose();
-    if (any && truth_.touches_nothing()) verdict_.add(Outcome::false_hit, aimed_.aim == Aim::face ? aimed_.at : 0);
+    if (any && truth_.touches_nothing()) verdict_.add(Outcome::false_hit, aimed_.aim == Aim::face ? aimed_.at : 0u);
   }
 
   static bool reports(const Testimony& said, const RayTruth& truth, const Place& p) {
@@ -237,7 +243,7 @@ class Trial {
     const auto first = first_place(said, closest);
     if (!first) return;
     const Place& p = truth_.places[*first];
-    if (is_first(said, *first, closest->face)) return judge_t(*closest);
+    if (is_first(said, *first, closest->face)) return judge_t(*closest), judge_normal(*closest);
     if (!met && stands_for(wall_of(*first), closest->face) && !reports(said, truth_, p)) {
       if (alone) verdict_.add(Outcome::neighbour, a_face_at(*first));
       return;
@@ -253,6 +259,19 @@ class Trial {
     verdict_.ulps = std::abs(*closest.t - exact) / gap;
     if (std::isnan(verdict_.ulps)) verdict_.ulps = INFINITY;
     if (subject_.most_ulps > 0 && verdict_.ulps > subject_.most_ulps) verdict_.add(Outcome::wrong_t, closest.face);
+  }
+
+  void judge_normal(const Reported& closest) {
+    const Facing facing = facing_of(surface_, aimed_.ray, closest.face);
+    if (closest.side && *closest.side != facing) verdict_.add(Outcome::wrong_normal, closest.face);
+    if (!closest.normal) return;
+    const bool against = subject_.sense == NormalSense::towards_source && facing == Facing::back;
+    const Point3 given = against ? -*closest.normal : *closest.normal;
+    const std::optional<double> degrees = degrees_from_normal(surface_.triangle(closest.face), given);
+    if (degrees) verdict_.degrees = *degrees;
+    if (!degrees || (subject_.most_degrees > 0 && *degrees > subject_.most_degrees)) {
+      verdict_.add(Outcome::wrong_normal, closest.face);
+    }
   }
 
   /// Where the ray only touches, and where it passes by the outline within rounding, the different t of a test that
