@@ -22,10 +22,10 @@ enum class Outcome : std::uint8_t {
   wrong_t,  ///< t of the closest hit is further off than promised
   wrong_normal,  ///< the normal of the closest hit points to the wrong side or is further off than promised, or its
                  ///< side is the other one
-  fault,      ///< it did something else than answer
-  neighbour,  ///< in place of a face that it meets, a face beside it is reported, with the same facing
-  twice,      ///< more than one face is reported where it passes an edge or a vertex, each of which it meets
-  outline     ///< it passes, by no more than rounding, what it sees as outline, and is not reported there
+  fault,         ///< it did something else than answer
+  neighbour,     ///< in place of a face that it meets, a face beside it is reported, with the same facing
+  twice,         ///< more than one face is reported where it passes an edge or a vertex, each of which it meets
+  outline        ///< it passes, by no more than rounding, what it sees as outline, and is not reported there
 };
 
 inline constexpr std::size_t outcome_count = 13;
