@@ -56,6 +56,28 @@ assert [here[key] for key in same] == [there[key] for key in same], (here, there
 assert here["leak"] > 0 and here["double hit"] > 0
 CHECK
 
+# Answers spoilt at random, and an oracle that shares no code with the judge: it counts the same.
+for format in binary64 binary32; do
+  python3 - right-$format.jsonl >answers.jsonl <<'SPOIL'
+import json, random, sys
+random.seed(1)
+for text in open(sys.argv[1]):
+    a = json.loads(text)
+    hits = [hit for hit in a["all"] if random.random() > 0.35]
+    hits += [{"face": random.randrange(14)} for _ in range(random.random() < 0.3)]
+    if random.random() < 0.1:
+        random.shuffle(hits)
+    a["all"] = hits
+    a["any"] ^= random.random() < 0.2
+    if random.random() < 0.4:
+        a["closest"] = random.choice([None, {"face": random.randrange(14)}, hits[-1] if hits else None])
+    print(json.dumps(a))
+SPOIL
+  judged 1 $format --json && cp out judged.json
+  python3 "$SOURCE_DIR/tests/cli/leak_oracle.py" rays/$format.off rays/$format.jsonl answers.jsonl judged.json >counts || { cat counts >&2; exit 1; }
+  says counts "'outline': " && lacks counts "'leak': 0,"
+done
+
 # plant KIND WORDS… CODE: the right answers, changed by a line of Python, are found to be wrong so.
 plant() {
   python3 - "$3" >answers.jsonl <<'PLANT'
