@@ -38,7 +38,7 @@ std::uint64_t cases_of(const Options& o, const std::vector<Stream>& streams) {
   if (o.count > 0 || o.seconds > 0) return o.count > 0 ? o.count : no_limit;
   std::uint64_t cases = default_cases;
   for (const Stream& s : streams) {
-    if (s.family->data) cases = std::max<std::uint64_t>(cases, s.family->data->items * streams.size());
+    if (s.family->data) cases = std::max<std::uint64_t>(cases, 2 * s.family->data->items * streams.size());
   }
   return cases;
 }

@@ -110,15 +110,17 @@ TEST(OwnFamily, HardlyEverRepeatsACase) {
   }
 }
 
-TEST(OwnFamily, AsksEachCaseAsItStandsFirst) {
+TEST(OwnFamily, AsksEachCaseAsItStandsInTurnWithChangedOnes) {
   const OwnData data = street(40);
   const OwnFamily own = family_of(data);
-  for (std::uint64_t k = 0; k < 40; ++k) {
+  for (std::uint64_t k = 0; k < 200; ++k) {
     const Trial trial = own.family.make(Format::binary64, seed, k);
-    EXPECT_EQ(trial.level, 0);
-    EXPECT_EQ(numbers_of(trial.query), numbers_of(data.queries[k].query));
+    const bool as_it_stands = k % 2 == 0 && k < 80;
+    EXPECT_EQ(trial.level == 0, as_it_stands) << k;
+    if (as_it_stands) {
+      EXPECT_EQ(numbers_of(trial.query), numbers_of(data.queries[k / 2].query));
+    }
   }
-  EXPECT_NE(own.family.make(Format::binary64, seed, 40).level, 0);
 }
 
 /// Probes stay what they are; at triangles without probes, both kinds are aimed.
@@ -127,7 +129,7 @@ TEST(OwnFamily, AsksSegmentsAndRaysAtEveryLevelWithBothAnswers) {
     const OwnFamily own = family_of(data);
     for (const Format format : own.formats) {
       std::map<std::pair<bool, int>, int> hits, misses;
-      for (std::uint64_t k = 40; k < 6'000; ++k) {
+      for (std::uint64_t k = 80; k < 6'000; ++k) {
         const Trial trial = own.family.make(format, seed, k);
         auto& counts = flagship_method().ask(trial.query).hit ? hits : misses;
         ++counts[{is_of_ray(trial.query), trial.level}];
@@ -150,7 +152,7 @@ TEST(OwnFamily, KeepsToTheFormatsOfItsData) {
   EXPECT_EQ(family_of(cases_of({{far, Format::binary64}})).formats, std::vector{Format::binary64});
   const OwnFamily both = family_of(cases_of({{far, Format::binary64}, {through_wall, Format::binary64}}));
   EXPECT_EQ(both.formats.size(), 2u);
-  EXPECT_EQ(both.family.data->left_out, "1 beyond the range of binary32 left out there");
+  EXPECT_EQ(both.family.data->left_out, "1 in binary32, beyond its range");
 }
 
 /// Coordinates at the ends of the range neither overflow nor stop the draws.
@@ -164,7 +166,7 @@ TEST(OwnFamily, TakesNumbersOfAnySize) {
   }
 }
 
-TEST(OwnFamily, EveryMutationChangesSomethingAndFlipsKeepTheNumbers) {
+TEST(OwnFamily, EveryMutationChangesSomething) {
   for (const Mutation& mutation : mutations()) {
     int changed = 0;
     for (std::uint64_t k = 0; k < 1'000; ++k) {

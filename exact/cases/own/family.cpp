@@ -68,7 +68,7 @@ std::uint64_t draw_more(const Pool& pool, Draw& draw) {
 
 Trial make(const Plan& plan, Format format, std::uint64_t seed, std::uint64_t k) {
   const Pool& pool = plan.pool(format);
-  if (k < pool.asked) return {.query = pool.items[k], .format = format};
+  if (k % 2 == 0 && k / 2 < pool.asked) return {.query = pool.items[k / 2], .format = format};
   Draw draw(plan.stream, seed, k);
   const Turn turn = turn_of(k, mutations().size());
   const std::size_t item = draw.below(pool.items.size());
@@ -119,7 +119,7 @@ std::string left_out(const OwnData& data, const Plan& plan) {
     parts.push_back(count_of(data.other_operands,
                              triangles ? "about polygons, which are asked with a polygon family" : "about triangles"));
   }
-  if (fit < read) parts.push_back(count_of(read - fit, "beyond the range of binary32 left out there"));
+  if (fit < read) parts.push_back(count_of(read - fit, "in binary32, beyond its range"));
   std::string text;
   for (const std::string& part : parts) text += (text.empty() ? "" : "; ") + part;
   return text;

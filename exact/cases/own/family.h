@@ -14,9 +14,9 @@ struct OwnFamily {
   std::vector<Format> formats;
 };
 
-/// First each of the questions as it stands (level 0), in the file's order; then, by level, one of them changed: by
-/// units in the last place, snapped to a grid or onto each other's points, flipped, or aimed at its target; often by
-/// more than one of these. A triangle without a probe gets one by aiming.
+/// Even cases are the questions as they stand (level 0), in the file's order, until all were asked. All others, by
+/// level, are one of them changed: by units in the last place, snapped to a grid or onto each other's points, flipped,
+/// or aimed at its target; often by more than one of these. A triangle without a probe gets one by aiming first.
 ///
 /// Numbers are exact in the format: questions of binary64 are asked in both formats, rounded to binary32, where those
 /// that overflow are left out; questions of binary32 in binary32 alone. Probes stay what they are, segments or rays; at
