@@ -15,6 +15,8 @@ struct ReplayOptions {
 };
 
 int run_replay(const ReplayOptions& o) {
+  if (!is_function_name(o.function))
+    throw Failure(Exit::usage, "--function is " + o.function + ", expected letters, digits and _, no digit first");
   const std::vector<Case> cases = read_cases(o.file);
   if (!o.language.empty()) {
     print(emit(cases, o.language, o.function, o.file));

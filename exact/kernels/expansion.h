@@ -19,7 +19,11 @@ struct Rounded {
   double result, error;
 };
 
-/// a + b. Exact unless a + b overflows: the error of a sum is always a double (Knuth).
+/// a + b. Exact where no operation overflows: the error of a sum is always a double (Knuth). One may overflow although
+/// the result does not: with a = −(2¹⁰²² + 3·2⁹⁷⁰) and b the largest double, s is rounded up, and s − a comes to 2¹⁰²⁴.
+/// Then the error is infinite or no number, and never a wrong one: all that is formed of an infinity is either. See S.
+/// Boldo, S. Graillat, J.-M. Muller, "On the robustness of the 2Sum and Fast2Sum algorithms", ACM TOMS 44(1), 2017,
+/// doi:10.1145/3054947.
 inline Rounded exact_sum(double a, double b) {
   const double s = a + b, of_b = s - a;
   return {s, (a - (s - of_b)) + (b - of_b)};

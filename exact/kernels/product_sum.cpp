@@ -75,10 +75,10 @@ class Accumulator {
   std::array<Word, words> words_{};  ///< lowest first
 };
 
-/// A coordinate of an arm: the exact sum of two doubles.
+/// A coordinate of an arm: the exact sum of two doubles, its own where an operation of the sum overflows.
 Rounded difference(double a, double b) {
   const Rounded d = exact_sum(b, -a);
-  return std::isfinite(d.result) ? d : Rounded{b, -a};
+  return std::isfinite(d.result) && std::isfinite(d.error) ? d : Rounded{b, -a};
 }
 
 Vec3<Rounded> exact_arm(const Point3& o, const Point3& p) {

@@ -6,26 +6,12 @@
 #include <utility>
 
 #include "core/polygon_rivals.h"
-#include "core/rivals/arenberg.h"
-#include "core/rivals/badouel.h"
-#include "core/rivals/baldwin_weber.h"
-#include "core/rivals/chirkov.h"
-#include "core/rivals/embree_pluecker.h"
-#include "core/rivals/fixed_edges.h"
-#include "core/rivals/havel_herout.h"
-#include "core/rivals/jimenez.h"
-#include "core/rivals/kensler_shirley.h"
-#include "core/rivals/moeller_trumbore.h"
-#include "core/rivals/pluecker.h"
-#include "core/rivals/shevtsov.h"
-#include "core/rivals/simulation_of_simplicity.h"
-#include "core/rivals/wald.h"
-#include "core/rivals/woop.h"
 #include "exact/base/failure.h"
 #include "exact/methods/exact_methods.h"
 #include "exact/methods/filtered_method.h"
 #include "exact/methods/naive.h"
 #include "exact/methods/rivals.h"
+#include "exact/methods/shelf.h"
 
 namespace tribunal {
 
@@ -38,43 +24,12 @@ struct Row {
   std::vector<Role> roles{};
 };
 
-/// A rival in both formats: `name`-float and `name`-double.
-struct Shelf {
-  const char* name;
-  Method (*in_float)();
-  Method (*in_double)();
-  std::vector<Role> roles;
-};
-
+/// A rival in both formats.
 template <template <class> class Rival>
-Shelf rivals(const char* name, std::vector<Role> roles = {}) {
-  return {name, rival<Rival, float>, rival<Rival, double>, std::move(roles)};
-}
-
-const std::vector<Shelf>& shelf() {
-  using namespace published;
-  static const std::vector<Shelf> table = {
-      rivals<MoellerTrumbore>("mt", {Role::charted}),
-      rivals<MoellerTrumborePrinted>("mt-eps"),
-      rivals<MoellerTrumboreCulling>("mt-cull"),
-      rivals<Arenberg>("arenberg"),
-      rivals<Badouel>("badouel"),
-      rivals<Pluecker>("pluecker"),
-      rivals<TripleProducts>("triple"),
-      rivals<Wald>("wald"),
-      rivals<ChirkovUnprepared>("chirkov2"),
-      rivals<ChirkovPrepared>("chirkov3"),
-      rivals<KenslerShirley>("kensler-shirley"),
-      rivals<Shevtsov>("shevtsov"),
-      rivals<HavelHerout>("havel-herout"),
-      rivals<Jimenez>("jimenez"),
-      rivals<Woop>("woop"),
-      rivals<EmbreePluecker>("embree"),
-      rivals<BaldwinWeber>("baldwin-weber"),
-      rivals<FixedEdges>("edges"),
-      rivals<SimulationOfSimplicity>("sos"),
-  };
-  return table;
+void add_rows(const published::ShelfRow<Rival>& row, std::vector<Row>& table) {
+  const std::vector<Role> roles = row.charted ? std::vector{Role::charted} : std::vector<Role>{};
+  table.push_back({row.name + std::string("-float"), rival<Rival, float>, roles});
+  table.push_back({row.name + std::string("-double"), rival<Rival, double>, roles});
 }
 
 std::vector<Row> all_rows() {
@@ -88,10 +43,7 @@ std::vector<Row> all_rows() {
       {"sf-expansion", sf_expansion},
       {"sf-rational", sf_rational, {Role::reference}},
   };
-  for (const Shelf& s : shelf()) {
-    table.push_back({std::string(s.name) + "-float", s.in_float, s.roles});
-    table.push_back({std::string(s.name) + "-double", s.in_double, s.roles});
-  }
+  published::visit_shelf([&](const auto& row) { add_rows(row, table); });
   const std::vector<Row> others = {
       {"haines-float", haines_float},
       {"haines-double", haines_double},

@@ -1,5 +1,6 @@
 #include "exact/record/emit.h"
 
+#include <algorithm>
 #include <cctype>
 #include <cstdio>
 
@@ -30,6 +31,28 @@ std::string joined(std::initializer_list<Point3> points, const Write& write) {
 const Point3& vector_of(const Point3& p) { return p; }
 const Point3& vector_of(const Direction& d) { return d.v; }
 
+/// The text for a comment of any of the languages: on one line, and with neither end of a comment in it. An id is
+/// anything that a file says, and must not become code.
+std::string as_comment(std::string text) {
+  for (char& letter : text) {
+    if (std::iscntrl(static_cast<unsigned char>(letter)) != 0) letter = ' ';
+  }
+  for (const char* mark : {"*/", "/*"}) {
+    for (std::size_t at; (at = text.find(mark)) != std::string::npos;) text.insert(at + 1, " ");
+  }
+  return text;
+}
+
+/// A name for a test: of letters, digits and _, and of a length that compilers take.
+std::string as_name(const std::string& text) {
+  constexpr std::size_t longest = 80;
+  std::string name = text.substr(0, longest);
+  for (char& letter : name) {
+    if (std::isalnum(static_cast<unsigned char>(letter)) == 0) letter = '_';
+  }
+  return name;
+}
+
 /// What a test needs of a case, as text.
 struct Parts {
   std::string name;     ///< of letters, digits and _
@@ -42,13 +65,10 @@ struct Parts {
 template <class Write>
 Parts parts_of(const Case& c, std::size_t number, const Write& write) {
   const Truth truth = exact_truth(c.query);
-  Parts parts{.name = "case_" + std::to_string(number) + "_" + c.id,
-              .comment = c.id + ": " + describe(truth),
+  Parts parts{.name = "case_" + std::to_string(number) + "_" + as_name(c.id),
+              .comment = as_comment(c.id + ": " + describe(truth)),
               .kind = is_of_ray(c.query) ? "ray" : "segment",
               .hit = truth.hit()};
-  for (char& letter : parts.name) {
-    if (std::isalnum(static_cast<unsigned char>(letter)) == 0) letter = '_';
-  }
   const Triangle& t = c.query.triangle();
   parts.triangle = joined({t.a, t.b, t.c}, write);
   parts.probe = std::visit(
@@ -143,6 +163,11 @@ std::string python_file(const std::vector<Parts>& all, const std::vector<Case>& 
 }
 
 }  // namespace
+
+bool is_function_name(std::string_view text) {
+  const auto fits = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+  return !text.empty() && std::isdigit(static_cast<unsigned char>(text[0])) == 0 && std::ranges::all_of(text, fits);
+}
 
 std::vector<std::string> emitted_languages() { return {"c", "gtest", "python"}; }
 

@@ -13,6 +13,9 @@ namespace tribunal {
 /// signs computed again with fractions).
 std::vector<std::string> emitted_languages();
 
+/// Whether the text may stand for FUNCTION below: letters, digits and _, no digit first.
+bool is_function_name(std::string_view text);
+
 /// The cases, all of triangles, as one file in the language. C and GoogleTest ask the functions FUNCTION_segment and
 /// FUNCTION_ray, (const double probe[6], const double triangle[9]) → int, and expect the exact answer of closed sets.
 /// Fails with Exit::bad_input on a case of a polygon, which `file` is named for.

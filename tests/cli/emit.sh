@@ -31,3 +31,18 @@ done
 ! ./asked1 2>/dev/null || { echo "wrong answers were accepted" >&2; exit 1; }
 $CXX -std=c++20 -fsyntax-only -x c++ emitted.gtest
 expect 2 replay found/counterexamples.jsonl --emit fortran
+
+# Ids are anything that a file says, and none becomes code.
+shape='"seg":[[0.25,0.25,-1],[0.25,0.25,1]],"tri":[[0,0,0],[1,0,0],[0,1,0]]'
+long=$(printf 'x%.0s' {1..4000})
+for id in 'a*/ #error' 'a\n#error' 'a\r\nraise SystemExit(1)' 'a/*/' '/*' '' 'back\\' '??/' 'a\u0000b' 'tab\there' '\u00e9\u2028#' "$long"; do
+  printf '{"id":"%s",%s}\n' "$id" "$shape"
+done >hostile.jsonl
+for language in c gtest python; do
+  expect 0 replay hostile.jsonl --emit "$language" --function right && mv out "hostile.$language"
+done
+/usr/bin/python3 hostile.python
+echo 'int right_segment(const double p[6], const double t[9]) { (void)p; (void)t; return 1; }' >always.c
+${CC:-cc} -std=c99 -Wall -Wextra -Werror -x c hostile.c always.c -o hostile && ./hostile
+$CXX -std=c++20 -Wall -Wextra -Werror -fsyntax-only -x c++ hostile.gtest
+for name in 'a b' 1x '' 'x;y' é; do expect 2 replay hostile.jsonl --emit c --function "$name"; done

@@ -213,6 +213,34 @@ TYPED_TEST(ExactLaws, AgreesWithFractionsWhereDoubleFails) {
   EXPECT_GT(naive_wrong, 20) << "this corpus has no teeth";
 }
 
+/// Coordinates of the last two binades, the largest number often, others up to 2000 binades below.
+Point3 point_at_the_end(Draw& draw) {
+  Point3 p;
+  for (int i = 0; i < 3; ++i) {
+    const double sign = draw.below(2) == 0 ? 1 : -1;
+    const auto significand = static_cast<double>(draw.between(std::int64_t{1} << 52, (std::int64_t{1} << 53) - 1));
+    const int e =
+        draw.below(8) == 0 ? static_cast<int>(draw.between(-1074, 969)) : 970 + static_cast<int>(draw.below(2));
+    p[i] = sign * (draw.below(3) == 0 ? std::numeric_limits<double>::max() : std::ldexp(significand, e));
+  }
+  return p;
+}
+
+/// There differences overflow, and sums that do not may have a step that does.
+TYPED_TEST(ExactLaws, AgreesWithFractionsAtTheEndOfTheRange) {
+  const TypeParam k{};
+  const FormulaKernel<mpq_class> fractions;
+  Draw draw(9, 11, 0);
+  for (int i = 0; i < 1000; ++i) {
+    const Point3 a = point_at_the_end(draw), b = point_at_the_end(draw), c = point_at_the_end(draw);
+    const Point3 d = point_at_the_end(draw);
+    EXPECT_EQ(k.orient3d(a, b, c, d), fractions.orient3d(a, b, c, d)) << i;
+    EXPECT_EQ(k.orient3d(a, b, c, Direction{d}), fractions.orient3d(a, b, c, Direction{d})) << i;
+    EXPECT_EQ(k.orient2d(Axis::x, a, b, d), fractions.orient2d(Axis::x, a, b, d)) << i;
+    EXPECT_EQ(k.orient2d(Axis::y, a, b, Direction{d}), fractions.orient2d(Axis::y, a, b, Direction{d})) << i;
+  }
+}
+
 TEST(Dyadic, RoundTripsAndComputesExactly) {
   Corpus corpus(10, 1000);
   for (int i = 0; i < 500; ++i) {

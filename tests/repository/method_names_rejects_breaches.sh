@@ -12,9 +12,9 @@ sound_tree() {
   {
     echo 'const std::vector<Row> table = {'
     for name in sf-float sf-double mt-float haines-double cgal-epick; do printf '    {"%s", make},\n' "$name"; done
-    echo '      rivals<BaldwinWeber>("baldwin-weber"),'
     echo '};'
   } >exact/methods/methods.cpp
+  printf '    ShelfRow<BaldwinWeber>{"baldwin-weber"},\n' >exact/methods/shelf.h
   printf '// The test "sf-double" is naive.\nint x;  ///< e.g. "sf-double"\nauto s = "a half-open sf";\n' >core/a.h
   printf 'auto a = "sf-double";\n' >exact/cli/fuzz.cpp
   printf 'auto a = "--method mt-float";\n' >tracer/cli/demo.cpp
@@ -46,6 +46,7 @@ rejects exact/a.cpp 'if (method.name == "baldwin-weber-float") slow();'
 rejects exact/a.cpp 'if (m.name.starts_with("baldwin-weber-")) slow();'
 sound_tree
 : >exact/methods/methods.cpp
+: >exact/methods/shelf.h
 if bash "$names" . 2>/dev/null; then
   echo "a table without rows was accepted" >&2
   exit 1
