@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <fstream>
 #include <map>
@@ -179,6 +180,22 @@ TEST(OwnFamily, EveryMutationChangesSomething) {
   }
 }
 
+/// From a probe that goes through the wall and one that lies in its plane beside it, in a few hundred changes.
+TEST(OwnFamily, SnapsAndAimsProbesAtVerticesEdgesAndFaces) {
+  for (const std::size_t index : {std::size_t{2}, std::size_t{4}}) {
+    std::map<Contact, int> met;
+    for (std::uint64_t k = 0; k < 600; ++k) {
+      Draw draw(stream_of("family own-cases"), seed, k);
+      Query query = through_wall;
+      mutate(query, mutations()[index], {ray_at_wall, 5'000, Format::binary64}, draw);
+      ++met[flagship_method().ask(query).contact];
+    }
+    for (const Contact c : {Contact::none, Contact::interior, Contact::edge, Contact::vertex, Contact::coplanar}) {
+      EXPECT_GE(met[c], 5) << mutations()[index].name << ": " << name_of(c);
+    }
+  }
+}
+
 /// Is wrong where a probe ends within a micrometre of a corner of one wall, as a program is that has a tolerance for
 /// its own units. No shipped family goes there.
 Method wrong_at_the_wall() {
@@ -226,11 +243,32 @@ TEST(OwnFamily, FindsFromOneMeshWhatNoShippedFamilyFinds) {
   EXPECT_FALSE(fuzz(plan_of(wrong_at_the_wall(), streams_in(own), 20'000)).findings.empty());
 }
 
+/// Is wrong on one query in so many, by a hash of its numbers.
+Method wrong_on_one_in(std::uint64_t period) {
+  const Method m = flagship_method();
+  Method wrong{.name = "wrong-on-some", .contract = m.contract};
+  wrong.contract.exact = false;
+  const auto flips = [period](const Query& q) {
+    std::uint64_t hash = 0;
+    for (const double x : numbers_of(q)) hash = (hash ^ std::bit_cast<std::uint64_t>(x)) * 0x9e3779b97f4a7c15u;
+    return (hash >> 20) % period == 0;
+  };
+  const auto answer = [m, flips](const Query& q) {
+    Answer a = m.ask(q);
+    a.hit = a.hit != flips(q);
+    return a;
+  };
+  wrong.segment = [answer](const Segment& s, const Triangle& t) { return answer({s, t}); };
+  wrong.ray = [answer](const Ray& r, const Triangle& t) { return answer({r, t}); };
+  return wrong;
+}
+
 /// The finding, and all counts, are those of the lowest case number whatever the threads; and a whole run finds it
 /// first.
 TEST(UntilFirst, IsTheSameForAnyNumberOfThreads) {
-  for (const char* name : {"sf-double", "mt-double", "jimenez-double"}) {
-    FuzzPlan plan = plan_of(*find_method(name), streams_of(Operands::triangles), 300'000);
+  const OwnFamily own = family_of(street(40));
+  for (const Method& method : {*find_method("jimenez-double"), wrong_on_one_in(20'000)}) {
+    FuzzPlan plan = plan_of(method, streams_in(own), 200'000);
     const FuzzReport whole = fuzz(plan);
     plan.until_first = true;
     const FuzzReport one = fuzz(plan);
