@@ -28,6 +28,8 @@ int main(int argc, char** argv) {
       {"render", "ray trace a scene with a method",
        "tribunal render data/scenes/elephant.json --method sf-double --against sf-rational -o image.png",
        declare_render},
+      {"sweep", "where does each method begin to fail? Outcomes along stress axes",
+       "tribunal sweep --method sf-double,mt-double --axis scale,sliver --out sweep", declare_sweep},
       {"chart", "measure speed and accuracy on the same cases", "tribunal chart --out charts", declare_chart},
       {"demo", "the whole tour: fuzz, certify, render, chart, and a page that shows it", "tribunal demo --out out",
        declare_demo},

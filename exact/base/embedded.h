@@ -10,4 +10,7 @@ extern const char* const embedded_ray_classes;
 /// exact/chart/plot.py: draws the charts.
 extern const char* const embedded_plot_script;
 
+/// exact/sweep/plot.py: draws sweeps and failure maps.
+extern const char* const embedded_sweep_script;
+
 }  // namespace tribunal

@@ -5,7 +5,7 @@
 
 #include "exact/base/json.h"
 #include "exact/certificate/bounds.h"
-#include "exact/chart/rate.h"
+#include "exact/certificate/rate.h"
 #include "exact/chart/timing_json.h"
 #include "exact/record/environment.h"
 

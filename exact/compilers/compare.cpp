@@ -9,7 +9,7 @@
 #include "exact/base/parallel.h"
 #include "exact/cases/case_line.h"
 #include "exact/cases/family_table.h"
-#include "exact/chart/rate.h"
+#include "exact/certificate/rate.h"
 #include "exact/methods/methods.h"
 #include "exact/record/environment.h"
 #include "exact/trial/judge.h"

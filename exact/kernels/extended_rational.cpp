@@ -1,114 +1,99 @@
 #include "exact/kernels/extended_rational.h"
 
 #include <cmath>
-#include <limits>
-#include <numeric>
 #include <utility>
 
 namespace tribunal {
 namespace {
 
-constexpr long lowest = std::numeric_limits<long>::min();
+using Denominator = std::optional<Dyadic>;
 
-/// The sum of a/b and c/d, unless it overflows. The least word is left out: its negative is no word.
-bool add(long a, long b, long c, long d, long* num, long* den) {
-  long ad = 0, cb = 0;
-  if (b == d) {
-    *den = b;
-    return !__builtin_add_overflow(a, c, num) && *num != lowest;
-  }
-  return !__builtin_mul_overflow(a, d, &ad) && !__builtin_mul_overflow(c, b, &cb) &&
-         !__builtin_add_overflow(ad, cb, num) && !__builtin_mul_overflow(b, d, den) && *num != lowest;
+Dyadic times(const Dyadic& x, const Denominator& d) { return d ? x * *d : x; }
+
+Denominator product(const Denominator& a, const Denominator& b) {
+  if (!a) return b;
+  return b ? Denominator(*a * *b) : a;
 }
 
-bool multiply(long a, long b, long c, long d, long* num, long* den) {
-  return !__builtin_mul_overflow(a, c, num) && !__builtin_mul_overflow(b, d, den) && *num != lowest && *den != lowest;
+Sign order(const Dyadic& a, const Dyadic& b) {
+  const Dyadic difference = a - b;
+  return sign_of(difference);
 }
 
-int sign_of_word(long x) { return (x > 0) - (x < 0); }
+bool are_equal(const Denominator& a, const Denominator& b) {
+  if (!a || !b) return !a && !b;
+  return order(*a, *b) == Sign::zero;
+}
+
+Dyadic signed_sum(const Dyadic& a, const Dyadic& b, bool minus) { return minus ? a - b : a + b; }
 
 }  // namespace
 
 ExtendedRational::ExtendedRational(double x) {
-  constexpr double integers_fit = 0x1p53;
-  if (std::isfinite(x) && std::fabs(x) < integers_fit && std::trunc(x) == x) {
-    num_ = static_cast<long>(x);
-  } else if (std::isfinite(x)) {
-    *this = ExtendedRational(mpq_class(x));
+  if (std::isfinite(x)) {
+    num_ = Dyadic(x);
   } else {
-    num_ = std::isnan(x) ? 0 : x > 0 ? 1 : -1;
-    den_ = 0;
+    *this = infinity(std::isnan(x) ? Sign::zero : sign_of(x));
   }
 }
 
-/// The number is kept in two words if it fits.
-ExtendedRational::ExtendedRational(mpq_class x) {
-  if (x.get_num().fits_slong_p() && x.get_den().fits_slong_p() && x.get_num() != lowest) {
-    num_ = x.get_num().get_si();
-    den_ = x.get_den().get_si();
-  } else {
-    big_ = std::make_shared<const mpq_class>(std::move(x));
-  }
+ExtendedRational::ExtendedRational(Dyadic num, Denominator den) : num_(std::move(num)), den_(std::move(den)) {
+  if (sign() == Sign::zero) den_.reset();
 }
 
-ExtendedRational ExtendedRational::reduced(long num, long den) {
-  if (den == 1) return {num, den};
-  const long divisor = std::gcd(num, den);
-  return {num / divisor, den / divisor};
+ExtendedRational ExtendedRational::infinity(Sign sign) {
+  ExtendedRational x(value(sign));
+  x.finite_ = false;
+  return x;
 }
 
-int ExtendedRational::sign() const { return big_ ? sgn(*big_) : sign_of_word(num_); }
-
-mpq_class ExtendedRational::fraction() const { return big_ ? *big_ : mpq_class(num_, den_); }
-
-ExtendedRational ExtendedRational::operator-() const {
-  return big_ ? ExtendedRational(mpq_class(-*big_)) : ExtendedRational(-num_, den_);
+mpq_class ExtendedRational::fraction() const {
+  const mpq_class num = num_.fraction();
+  return den_ ? mpq_class(num / den_->fraction()) : num;
 }
 
-ExtendedRational operator+(const ExtendedRational& a, const ExtendedRational& b) {
-  if (!a.is_finite() || !b.is_finite()) {
-    if (a.is_finite()) return b;
-    return b.is_finite() || a.num_ == b.num_ ? a : ExtendedRational(0, 0);
+ExtendedRational ExtendedRational::operator-() const { return sum(ExtendedRational(), *this, true); }
+
+ExtendedRational ExtendedRational::sum(const ExtendedRational& a, const ExtendedRational& b, bool minus) {
+  if (!b.is_finite()) {
+    const Sign s = minus ? -b.sign() : b.sign();
+    return a.is_finite() || a.sign() == s ? infinity(s) : infinity(Sign::zero);
   }
-  long num = 0, den = 0;
-  if (!a.big_ && !b.big_ && add(a.num_, a.den_, b.num_, b.den_, &num, &den)) {
-    return ExtendedRational::reduced(num, den);
-  }
-  return ExtendedRational(mpq_class(a.fraction() + b.fraction()));
+  if (!a.is_finite()) return a;
+  if (are_equal(a.den_, b.den_)) return {signed_sum(a.num_, b.num_, minus), a.den_};
+  return {signed_sum(times(a.num_, b.den_), times(b.num_, a.den_), minus), product(a.den_, b.den_)};
 }
 
 ExtendedRational operator*(const ExtendedRational& a, const ExtendedRational& b) {
-  if (!a.is_finite() || !b.is_finite()) return {static_cast<long>(a.sign() * b.sign()), 0L};
-  long num = 0, den = 0;
-  if (!a.big_ && !b.big_ && multiply(a.num_, a.den_, b.num_, b.den_, &num, &den)) {
-    return ExtendedRational::reduced(num, den);
-  }
-  return ExtendedRational(mpq_class(a.fraction() * b.fraction()));
+  if (!a.is_finite() || !b.is_finite()) return ExtendedRational::infinity(a.sign() * b.sign());
+  return {a.num_ * b.num_, product(a.den_, b.den_)};
 }
 
 ExtendedRational operator/(const ExtendedRational& a, const ExtendedRational& b) {
-  if (!b.is_finite()) return b.is_nan() || !a.is_finite() ? ExtendedRational(0, 0) : ExtendedRational(0);
-  if (b.sign() == 0) return {static_cast<long>(a.sign()), 0L};
-  if (!a.is_finite()) return {static_cast<long>(a.sign() * b.sign()), 0L};
-  if (b.big_) return ExtendedRational(mpq_class(a.fraction() / *b.big_));
-  const long upside_down = b.num_ < 0 ? -b.den_ : b.den_;
-  return a * ExtendedRational(upside_down, std::labs(b.num_));
+  if (!b.is_finite()) {
+    return b.is_nan() || !a.is_finite() ? ExtendedRational::infinity(Sign::zero) : ExtendedRational();
+  }
+  if (b.sign() == Sign::zero) return ExtendedRational::infinity(a.sign());
+  if (!a.is_finite()) return ExtendedRational::infinity(a.sign() * b.sign());
+  const bool flip = b.sign() == Sign::negative;
+  const Dyadic num = times(a.num_, b.den_), den = times(b.num_, a.den_);
+  return {flip ? -num : num, flip ? -den : den};
 }
 
 bool operator==(const ExtendedRational& a, const ExtendedRational& b) {
   if (a.is_nan() || b.is_nan()) return false;
-  if (a.big_ && b.big_) return *a.big_ == *b.big_;
-  return !a.big_ && !b.big_ && a.num_ == b.num_ && a.den_ == b.den_;
+  if (!a.is_finite() || !b.is_finite()) return a.is_finite() == b.is_finite() && a.sign() == b.sign();
+  return order(times(a.num_, b.den_), times(b.num_, a.den_)) == Sign::zero;
 }
 
 bool operator<(const ExtendedRational& a, const ExtendedRational& b) {
   if (a.is_nan() || b.is_nan()) return false;
   if (a.sign() != b.sign()) return a.sign() < b.sign();
-  if (a.big_ || b.big_) {
-    if (!a.is_finite() || !b.is_finite()) return a.is_finite() ? b.sign() > 0 : a.sign() < 0;
-    return a.fraction() < b.fraction();
+  if (!a.is_finite() || !b.is_finite()) {
+    if (a.is_finite() == b.is_finite()) return false;
+    return a.is_finite() ? b.sign() == Sign::positive : a.sign() == Sign::negative;
   }
-  return static_cast<__int128>(a.num_) * b.den_ < static_cast<__int128>(b.num_) * a.den_;
+  return order(times(a.num_, b.den_), times(b.num_, a.den_)) == Sign::negative;
 }
 
 }  // namespace tribunal

@@ -4,21 +4,25 @@
 
 #include <gmpxx.h>
 
-#include <memory>
+#include <optional>
+
+#include "exact/kernels/dyadic.h"
 
 namespace tribunal {
 
 /// A rational number, ±∞, or NaN. x/0 is ∞ with the sign of x, 0/0, 0·∞, ∞ − ∞ and ∞/∞ are NaN, x/∞ is 0. NaN compares
 /// false with everything, itself included. There is one zero, without a sign: 1/(−0) is +∞.
 /// Laws: conversion from a double is exact, and so are + − × / and comparisons of finite numbers.
+/// Fractions are not reduced: published tests divide once or twice, and a gcd for each sum costs more than long
+/// numbers.
 class ExtendedRational {
  public:
   ExtendedRational() = default;
-  ExtendedRational(int x) : num_(x) {}
+  ExtendedRational(int x) : num_(static_cast<double>(x)) {}
   explicit ExtendedRational(double x);
 
-  friend ExtendedRational operator+(const ExtendedRational& a, const ExtendedRational& b);
-  friend ExtendedRational operator-(const ExtendedRational& a, const ExtendedRational& b) { return a + -b; }
+  friend ExtendedRational operator+(const ExtendedRational& a, const ExtendedRational& b) { return sum(a, b, false); }
+  friend ExtendedRational operator-(const ExtendedRational& a, const ExtendedRational& b) { return sum(a, b, true); }
   friend ExtendedRational operator*(const ExtendedRational& a, const ExtendedRational& b);
   friend ExtendedRational operator/(const ExtendedRational& a, const ExtendedRational& b);
   ExtendedRational operator-() const;
@@ -30,24 +34,24 @@ class ExtendedRational {
   friend bool operator<=(const ExtendedRational& a, const ExtendedRational& b) { return a < b || a == b; }
   friend bool operator>=(const ExtendedRational& a, const ExtendedRational& b) { return b <= a; }
 
-  bool is_nan() const { return den_ == 0 && num_ == 0; }
-  bool is_finite() const { return den_ != 0; }
+  bool is_nan() const { return !finite_ && sign() == Sign::zero; }
+  bool is_finite() const { return finite_; }
 
   /// The number itself, which must be finite.
   mpq_class fraction() const;
 
  private:
-  ExtendedRational(long num, long den) : num_(num), den_(den) {}
-  explicit ExtendedRational(mpq_class x);
+  ExtendedRational(Dyadic num, std::optional<Dyadic> den);
 
-  int sign() const;
-  static ExtendedRational reduced(long num, long den);
+  /// ±∞, or NaN for zero.
+  static ExtendedRational infinity(Sign sign);
+  static ExtendedRational sum(const ExtendedRational& a, const ExtendedRational& b, bool minus);
 
-  /// Numerator and denominator, without a common divisor, where both fit a word; the denominator is not negative, and
-  /// 0 for what is not finite. Where they do not fit, `big_` is the number and the denominator is 1.
-  long num_ = 0;
-  long den_ = 1;
-  std::shared_ptr<const mpq_class> big_{};
+  Sign sign() const { return sign_of(num_); }
+
+  Dyadic num_{};                 ///< if not finite, it has the sign of an infinity, and is 0 for NaN
+  std::optional<Dyadic> den_{};  ///< positive; none: 1
+  bool finite_ = true;
 };
 
 }  // namespace tribunal

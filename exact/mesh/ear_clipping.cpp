@@ -55,6 +55,12 @@ class Walk {
     return true;
   }
 
+  /// Whether a vertex lies on an edge that it does not belong to. Of the rings as given: ask before holes are joined.
+  bool touches_itself() const {
+    return touches_some_vertex(ring_) ||
+           std::any_of(holes_.begin(), holes_.end(), [&](const IndexRing& hole) { return touches_some_vertex(hole); });
+  }
+
   bool join_holes() {
     while (!holes_.empty()) {
       if (!join_one()) return false;
@@ -62,7 +68,8 @@ class Walk {
     return true;
   }
 
-  /// Cuts the first ear found until a triangle is left.
+  /// Cuts the first ear found until a triangle is left. Each triangle turns as the outer ring does, so together they
+  /// cover each point as often as the rings wind around it.
   std::optional<std::vector<std::array<std::uint32_t, 3>>> cut() {
     std::vector<std::array<std::uint32_t, 3>> triangles;
     while (ring_.size() > 3) {
@@ -71,8 +78,20 @@ class Walk {
       if (turn(at(i - 1), at(i), at(i + 1)) != Sign::zero) triangles.push_back({at(i - 1), at(i), at(i + 1)});
       ring_.erase(ring_.begin() + static_cast<std::ptrdiff_t>(i));
     }
-    if (turn(at(0), at(1), at(2)) != Sign::zero) triangles.push_back({at(0), at(1), at(2)});
+    const Sign rest = turn(at(0), at(1), at(2));
+    if (rest == Sign::negative) return std::nullopt;
+    if (rest == Sign::positive) triangles.push_back({at(0), at(1), at(2)});
     return triangles;
+  }
+
+  /// Whether no two of these, which turn as the outer ring does, have an inner point in common.
+  bool are_disjoint(const std::vector<std::array<std::uint32_t, 3>>& triangles) const {
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        if (!separates(triangles[i], triangles[j]) && !separates(triangles[j], triangles[i])) return false;
+      }
+    }
+    return true;
   }
 
  private:
@@ -110,6 +129,39 @@ class Walk {
   bool in_corner(std::uint32_t x, std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
     const bool left_of_ab = turn(a, b, x) == Sign::positive, left_of_bc = turn(b, c, x) == Sign::positive;
     return turn(a, b, c) == Sign::positive ? left_of_ab && left_of_bc : left_of_ab || left_of_bc;
+  }
+
+  /// Whether all of g lies beyond one edge of f, or on its line.
+  bool separates(const std::array<std::uint32_t, 3>& f, const std::array<std::uint32_t, 3>& g) const {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto beyond = [&](std::uint32_t x) { return turn(f[i], f[(i + 1) % 3], x) != Sign::positive; };
+      if (std::all_of(g.begin(), g.end(), beyond)) return true;
+    }
+    return false;
+  }
+
+  /// Whether x, seen along the dropped axis, is on the closed segment ab.
+  bool is_on(std::uint32_t x, std::uint32_t a, std::uint32_t b) const {
+    const auto between = [&](Axis axis) {
+      const auto i = static_cast<int>(axis);
+      const auto [low, high] = std::minmax(points_[a][i], points_[b][i]);
+      return axis == dropped_ || (low <= points_[x][i] && points_[x][i] <= high);
+    };
+    return std::all_of(std::begin(all_axes), std::end(all_axes), between) && turn(a, b, x) == Sign::zero;
+  }
+
+  bool touches_some_vertex(const IndexRing& edges) const {
+    const auto touches_vertex_of = [&](const IndexRing& ring) {
+      for (std::size_t i = 0; i < edges.size(); ++i) {
+        const std::size_t next = (i + 1) % edges.size();
+        for (std::size_t j = 0; j < ring.size(); ++j) {
+          if (&ring == &edges && (j == i || j == next)) continue;
+          if (is_on(ring[j], edges[i], edges[next])) return true;
+        }
+      }
+      return false;
+    };
+    return touches_vertex_of(ring_) || std::any_of(holes_.begin(), holes_.end(), touches_vertex_of);
   }
 
   bool crosses(std::uint32_t p, std::uint32_t q, std::uint32_t a, std::uint32_t b) const {
@@ -188,8 +240,13 @@ class Walk {
 std::optional<std::vector<std::array<std::uint32_t, 3>>> clip_ears(const Rings& face,
                                                                    const std::vector<Point3>& points) {
   Walk walk(face, points);
-  if (!walk.is_simple() || !walk.join_holes()) return std::nullopt;
-  return walk.cut();
+  if (!walk.is_simple()) return std::nullopt;
+  const bool touches = walk.touches_itself();
+  if (!walk.join_holes()) return std::nullopt;
+  auto triangles = walk.cut();
+  // Rings that touch may wind around some points twice; others do not.
+  if (triangles && touches && !walk.are_disjoint(*triangles)) return std::nullopt;
+  return triangles;
 }
 
 }  // namespace tribunal

@@ -1,5 +1,7 @@
 #include "exact/mesh/triangulate.h"
 
+#include <algorithm>
+
 #include "exact/base/failure.h"
 #include "exact/filtered/filtered_kernel.h"
 #include "exact/mesh/ear_clipping.h"
@@ -21,28 +23,67 @@ struct Turns {
   bool both() const { return left && right; }
 };
 
-/// The turns of all corners, of all vertices as seen from the first edge, and of the fan's triangles. If all go one
-/// way, the ring is locally convex; all of it lies on one side of its first edge, so it winds once (a ring that winds
-/// twice comes back across every edge's line); and the triangles tile it without overlap. Zeros are collinear corners
-/// and do no harm.
-Turns turns_of(const IndexRing& ring, const std::vector<Point3>& points, Axis dropped) {
-  const FilteredKernel k;
-  const auto at = [&](std::size_t i) -> const Point3& { return points[ring[i % ring.size()]]; };
-  Turns turns;
-  for (std::size_t i = 0; i < ring.size() && !turns.both(); ++i) {
-    turns.add(k.orient2d(dropped, at(i), at(i + 1), at(i + 2)));
-    turns.add(k.orient2d(dropped, at(0), at(1), at(i)));
-    turns.add(k.orient2d(dropped, at(0), at(i), at(i + 1)));
+/// A ring as seen from its first vertex, the apex of its fan, after dropping one axis.
+class FromApex {
+ public:
+  FromApex(const IndexRing& ring, const std::vector<Point3>& points, Axis dropped)
+      : ring_(ring), points_(points), dropped_(dropped) {}
+
+  /// The turns of all corners; and, of the vertices that are not at the apex, the turns from the first of them to each,
+  /// and from each to the next. Both ways, if the ring starts again.
+  ///
+  /// If all go one way, no vertex is seen outside of the half turn that begins at the first, and none turns back. So
+  /// the fan's triangles tile what the ring winds around once, unless it comes back from the end of the half turn to
+  /// its beginning, through the apex, which is no turn: then it starts again. Zeros are collinear corners and do no
+  /// harm.
+  Turns turns() const {
+    Turns turns;
+    for (std::size_t i = 0; i < ring_.size() && !turns.both(); ++i) turns.add(turn(i, i + 1, i + 2));
+    std::size_t first = 0, last = 0;
+    for (std::size_t i = 1; i < ring_.size() && !turns.both(); ++i) {
+      if (is_at_apex(i)) continue;
+      if (first == 0) first = last = i;
+      turns.add(turn(0, first, i));
+      turns.add(turn(0, last, i));
+      if (is_beyond_apex(first, last) && !is_beyond_apex(first, i)) turns.left = turns.right = true;
+      last = i;
+    }
+    return turns;
   }
-  return turns;
-}
+
+ private:
+  const Point3& at(std::size_t i) const { return points_[ring_[i % ring_.size()]]; }
+
+  Sign turn(std::size_t i, std::size_t j, std::size_t k) const {
+    return kernel_.orient2d(dropped_, at(i), at(j), at(k));
+  }
+
+  bool is_at_apex(std::size_t i) const {
+    return std::ranges::all_of(
+        all_axes, [&](Axis axis) { return axis == dropped_ || kernel_.compare(axis, at(0), at(i)) == Sign::zero; });
+  }
+
+  /// On one line with the apex and vertex j, on the other side of the apex.
+  bool is_beyond_apex(std::size_t j, std::size_t i) const {
+    const auto opposed = [&](Axis axis) {
+      return axis != dropped_ &&
+             kernel_.compare(axis, at(0), at(j)) * kernel_.compare(axis, at(0), at(i)) == Sign::negative;
+    };
+    return std::ranges::any_of(all_axes, opposed) && turn(0, j, i) == Sign::zero;
+  }
+
+  const IndexRing& ring_;
+  const std::vector<Point3>& points_;
+  Axis dropped_;
+  FilteredKernel kernel_;
+};
 
 /// Whether the fan is the polygon: in some projection the ring has area and turns one way only, or it has no area in
 /// any.
 bool fan_is_polygon(const IndexRing& ring, const std::vector<Point3>& points) {
   bool has_area = false;
   for (const Axis dropped : all_axes) {
-    const Turns turns = turns_of(ring, points, dropped);
+    const Turns turns = FromApex(ring, points, dropped).turns();
     if (turns.any() && !turns.both()) return true;
     has_area |= turns.any();
   }
@@ -81,7 +122,8 @@ Mesh triangulated(Mesh mesh, const std::string& file) {
   for (std::size_t f = 0; f < mesh.polygons.size(); ++f) {
     const auto triangles = triangulate(mesh.polygons[f], mesh.vertices);
     if (!triangles) {
-      throw bad_input(file, 0, "concave face " + std::to_string(f) + ": its edges cross, expected a simple polygon");
+      throw bad_input(file, 0,
+                      "concave face " + std::to_string(f) + ": its edges cross or touch, expected a simple polygon");
     }
     mesh.triangles.insert(mesh.triangles.end(), triangles->begin(), triangles->end());
   }

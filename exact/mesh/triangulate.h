@@ -11,15 +11,16 @@ namespace tribunal {
 
 /// The mesh of a file's faces: a triangle as it is, a face whose fan from its first corner is exactly the polygon as
 /// that fan, any other as a polygon. A fan is the polygon if the ring is convex: after dropping one axis, no two of its
-/// triangles turn opposite ways, no corner turns against them, and it winds once. Decided by exact signs.
+/// triangles turn opposite ways, no corner turns against them, and it winds once; where it passes through its first
+/// vertex again, it does not start a second time. Decided by exact signs.
 /// Corners may leave the plane a little, as they do after rounding; the fan is then the surface.
 Mesh mesh_of(PolygonSoup soup);
 
 /// Triangles that tile the face, none of them turned against the outer ring: the fan if it does, else holes are joined
-/// to the outer ring by bridges and ears are cut. Nothing if that fails, as it must where rings cross each other.
-/// Decided by exact signs in one projection, so right for every planar face whose rings are simple and disjoint.
-/// Source: Meisters, "Polygons have ears", American Mathematical Monthly 82(6), 1975; Eberly, "Triangulation by ear
-/// clipping", 2002 (bridges).
+/// to the outer ring by bridges and ears are cut. Nothing if that fails, as it must where rings cross each other or
+/// wind around a point twice. Decided by exact signs in one projection: found for every planar face whose rings are
+/// simple and disjoint; for others, whose rings may touch, it is right if there is one. Source: Meisters, "Polygons
+/// have ears", American Mathematical Monthly 82(6), 1975; Eberly, "Triangulation by ear clipping", 2002 (bridges).
 std::optional<std::vector<std::array<std::uint32_t, 3>>> triangulate(const Rings& face,
                                                                      const std::vector<Point3>& points);
 

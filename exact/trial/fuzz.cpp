@@ -45,6 +45,7 @@ struct Chunk {
 /// The chunk and the answers to it keep their memory from one to the next.
 struct Worker {
   CountTable counts;
+  unsigned number = 0;
   FirstFindings findings{};
   std::uint64_t wrong = 0, audited = 0;
   Chunk chunk{};
@@ -129,11 +130,16 @@ void judge_chunk(const FuzzPlan& plan, std::size_t m, Worker& worker) {
     }
     Count& count = worker.counts.at({m, chunk.stream, trial.level, slot_of(trial, truth)});
     count.add(outcome, answer.stage);
-    if (!is_wrong(outcome)) continue;
-    ++worker.wrong;
     const std::uint64_t k = chunk.first_k + i;
+    if (!is_wrong(outcome)) {
+      if (plan.watch) plan.watch(worker.number, {m, chunk.stream, k, trial, truth, answer, outcome});
+      continue;
+    }
+    ++worker.wrong;
     const Severity severity = severity_of(trial.query, truth);
-    count.add_wrong(severity, quota.cause_of(method, trial.query, truth, outcome, severity, k));
+    const Cause cause = quota.cause_of(method, trial.query, truth, outcome, severity, k);
+    count.add_wrong(severity, cause);
+    if (plan.watch) plan.watch(worker.number, {m, chunk.stream, k, trial, truth, answer, outcome, severity, cause});
     if (has_earlier(worker.findings, {m, chunk.stream, slot_of(truth), answer.status, outcome, severity}, k)) continue;
     keep_first(worker.findings, {m, chunk.stream, k, trial, truth, answer, outcome, severity});
   }
@@ -162,6 +168,7 @@ std::vector<Finding> in_order(const FirstFindings& kept, std::size_t streams) {
 void run_slice(const FuzzPlan& plan, std::uint64_t last, FuzzReport& report, Progress& progress,
                const std::function<bool()>& stop) {
   std::vector<Worker> workers(plan.threads, Worker{.counts = empty_report(plan).counts});
+  for (unsigned w = 0; w < plan.threads; ++w) workers[w].number = w;
   const std::uint64_t start = report.cases;
   const auto begin_of = [&](std::size_t block) {
     return std::min(last, start + block * block_size_of(plan.operands()));
@@ -217,7 +224,7 @@ FuzzReport empty_report(const FuzzPlan& plan) {
 
 FuzzReport fuzz(const FuzzPlan& plan, FuzzReport so_far, const Checkpoint& checkpoint) {
   constexpr double seconds_between_checkpoints = 60;
-  Progress progress("fuzz", "cases", plan.seconds > 0 ? 0 : plan.cases - so_far.cases);
+  Progress progress(plan.label, "cases", plan.seconds > 0 ? 0 : plan.cases - so_far.cases);
   double saved = progress.elapsed();
   while (!is_complete(plan, so_far)) {
     const auto is_due = [&] { return checkpoint && progress.elapsed() - saved > seconds_between_checkpoints; };

@@ -20,6 +20,20 @@ struct Stream {
   Format format;
 };
 
+/// One answer after it was judged, as FuzzPlan::watch is told of it.
+struct JudgedAnswer {
+  std::size_t method, stream;
+  std::uint64_t k;  ///< case number within the stream
+  const Trial& trial;
+  const Truth& truth;
+  Answer answer;
+  Outcome outcome;
+
+  // Of wrong answers.
+  Severity severity = Severity::extreme;
+  Cause cause = Cause::unknown;
+};
+
 struct FuzzPlan {
   std::vector<Method> methods;
   std::vector<Stream> streams;  ///< at least one; all with the same operands
@@ -27,9 +41,11 @@ struct FuzzPlan {
   std::uint64_t cases = 0;  ///< in all, dealt to the streams in turn
   double seconds = 0;       ///< if > 0, stop after that time instead; `cases` is then a ceiling
   unsigned threads = 1;
-  bool until_first = false;  ///< stop soon after the first finding, and keep that one alone
-  ClassBy quick = nullptr;   ///< of triangles: judges all cases, of which the oracles audit a share; if none, the
-                             ///< oracles judge them all
+  bool until_first = false;    ///< stop soon after the first finding, and keep that one alone
+  ClassBy quick = nullptr;     ///< of triangles: judges all cases, of which the oracles audit a share; if none, the
+                               ///< oracles judge them all
+  std::string label = "fuzz";  ///< of the line of progress
+  std::function<void(unsigned worker, const JudgedAnswer&)> watch{};  ///< told of every answer, in no order
 
   Operands operands() const { return streams.front().family->operands; }
 };

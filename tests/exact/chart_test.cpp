@@ -6,7 +6,7 @@
 #include "exact/base/files.h"
 #include "exact/base/json.h"
 #include "exact/certificate/bounds.h"
-#include "exact/chart/rate.h"
+#include "exact/certificate/rate.h"
 #include "tests/tracer/support.h"
 
 namespace tribunal {

@@ -1,6 +1,7 @@
 // Probes far longer or shorter than the triangle.
 #include <cmath>
 
+#include "exact/cases/families/placing.h"
 #include "exact/cases/families/probe.h"
 #include "exact/cases/families/shapes.h"
 #include "exact/cases/families/table.h"
@@ -13,10 +14,8 @@ constexpr int distances_32[] = {-100, -40, -20, -10, 0, 10, 14, 20, 40, 100};
 
 constexpr auto levels = by_format<distances_64, distances_32>;
 
-/// A vector about 2^level long; half of the long ones run along one axis, so that the other coordinates keep their
-/// bits.
-Point3 draw_reach(Draw& draw, Format format, int level) {
-  Point3 n = draw_point(draw, format);
+/// The vector times 2^level; half of the long ones run along one axis, so that the other coordinates keep their bits.
+Point3 stretched(Draw& draw, Point3 n, int level) {
   const int axis = static_cast<int>(draw.below(3));
   const bool along_axis = draw.below(2) == 0;
   if (level <= 0 || !along_axis) return std::ldexp(1.0, level) * n;
@@ -24,15 +23,12 @@ Point3 draw_reach(Draw& draw, Format format, int level) {
   return n;
 }
 
-/// A point with coordinates that are multiples of 2^(2 − digits) of at most 1: sums of two are exact.
-Point3 draw_coarse_point(Draw& draw, Format format) {
-  const int bits = digits_of(format) - 2;
-  return std::ldexp(1.0, -bits) * draw_lattice_point(draw, bits, 1);
-}
+/// A point with coordinates that are multiples of 2^−bits of at most 1.
+Point3 draw_coarse_point(Draw& draw, int bits) { return std::ldexp(1.0, -bits) * draw_lattice_point(draw, bits, 1); }
 
 /// A triangle of which the origin is a vertex, or a point of an edge, or an inner point, exactly.
-Triangle draw_about_origin(Draw& draw, Format format) {
-  const Point3 a = draw_coarse_point(draw, format), b = draw_coarse_point(draw, format);
+Triangle draw_about_origin(Draw& draw, int bits) {
+  const Point3 a = draw_coarse_point(draw, bits), b = draw_coarse_point(draw, bits);
   const std::uint64_t place = draw.below(3);
   if (place == 0) return {Point3(0), a, b};
   if (place == 1) return {a, -0.5 * a, b};
@@ -43,13 +39,22 @@ Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
   Draw draw(stream_of("family distance"), seed, k);
   const auto [is_ray, level] = turn_of(k, levels(format).size());
   const bool about_origin = draw.below(2) == 0;
-  const Triangle t = about_origin ? draw_about_origin(draw, format) : draw_triangle(draw, format);
+  const int bits = digits_of(format) - 2;  // sums of two are exact
+  const Triangle t = about_origin ? draw_about_origin(draw, bits) : draw_triangle(draw, format);
   const Point3 x = about_origin ? Point3(0) : draw_in_plane(draw, format, t);
-  const Point3 n = draw_reach(draw, format, levels(format)[level]);
+  const Point3 n = stretched(draw, draw_point(draw, format), levels(format)[level]);
   return unclassified(format, level, draw_probe(is_ray, through(x, n, n), format, draw), t, draw);
 }
 
 }  // namespace
+
+SegmentPair place_distant(Draw& draw, int bits, int distance) {
+  const Triangle t = draw_about_origin(draw, bits);
+  const bool at_origin = draw.below(2) == 0;
+  const Point3 x = at_origin ? Point3(0) : draw_coarse_point(draw, bits);
+  const Point3 n = stretched(draw, draw_coarse_point(draw, bits), distance);
+  return {through(x, n, n), t};
+}
 
 /// Probes whose ends are 2^level triangle sizes away. Half of them aim at the origin, which is then a point of the
 /// triangle: such a probe meets it there, exactly, however long or short it is.

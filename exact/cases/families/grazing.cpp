@@ -1,6 +1,7 @@
 // Probes almost in the plane.
 #include <cmath>
 
+#include "exact/cases/families/placing.h"
 #include "exact/cases/families/probe.h"
 #include "exact/cases/families/shapes.h"
 #include "exact/cases/families/table.h"
@@ -16,15 +17,20 @@ constexpr auto levels = by_format<slopes_64, slopes_32>;
 Trial make(Format format, std::uint64_t seed, std::uint64_t k) {
   Draw draw(stream_of("family grazing"), seed, k);
   const auto [is_ray, level] = turn_of(k, levels(format).size());
+  const auto [segment, t] = place_grazing(draw, format, levels(format)[level]);
+  return unclassified(format, level, draw_probe(is_ray, segment, format, draw), t, draw);
+}
+
+}  // namespace
+
+SegmentPair place_grazing(Draw& draw, Format format, int slope) {
   const Triangle t = draw_triangle(draw, format);
   const Point3 x = draw_in_plane(draw, format, t);
   const Point3 y = draw_in_plane(draw, format, t);
   const Point3 n = draw_point(draw, format);
-  const Point3 v = 2.0 * (y - x) + std::ldexp(1.0, -levels(format)[level]) * n;
-  return unclassified(format, level, draw_probe(is_ray, through(x, v, v), format, draw), t, draw);
+  const Point3 v = 2.0 * (y - x) + std::ldexp(1.0, -slope) * n;
+  return {through(x, v, v), t};
 }
-
-}  // namespace
 
 /// Probes that leave the triangle's plane by 2^−level of their length.
 Family grazing_family() {

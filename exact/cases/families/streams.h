@@ -63,6 +63,19 @@ inline constexpr RandomStreams random_streams[] = {
     {"triangle relations", 1000, 100},
     {"chart general", 1100},
     {"leak rays", 1200},
+    {"sweep scale", 1300},
+    {"sweep scale-one", 1301},
+    {"sweep offset", 1302},
+    {"sweep sliver", 1303},
+    {"sweep grazing", 1304},
+    {"sweep distance", 1305},
+    {"sweep fill", 1306},
+    {"sweep ulps", 1307},
+    {"sweep direction", 1308},
+    {"sweep spread", 1309},
+    {"sweep vertices", 1310},
+    {"sweep polygon-fill", 1311},
+    {"sweep polygon-scale", 1312},
 };
 
 /// Whether the rows are in ascending order and no number has two owners.

@@ -1,4 +1,4 @@
-#include "exact/chart/rate.h"
+#include "exact/certificate/rate.h"
 
 #include <cstdio>
 
@@ -7,6 +7,7 @@
 #include "exact/record/sample_row.h"
 
 namespace tribunal {
+
 namespace {
 
 std::string percent(double share) {
@@ -17,12 +18,13 @@ std::string percent(double share) {
 
 }  // namespace
 
-Rate rate_of(const Count& count) {
-  const std::uint64_t n = count.judged(), k = count.wrong;
+Rate rate_of(std::uint64_t k, std::uint64_t n) {
   if (k == 0) return {0, n, 0, 0, upper_bound(0, n, confidence_alpha)};
   const double tail = confidence_alpha / 2;
   return {k, n, static_cast<double>(k) / static_cast<double>(n), lower_bound(k, n, tail), upper_bound(k, n, tail)};
 }
+
+Rate rate_of(const Count& count) { return rate_of(count.wrong, count.judged()); }
 
 Json to_json(const Count& count) {
   const Rate rate = rate_of(count);

@@ -16,6 +16,7 @@ struct Rate {
   double drawn() const { return is_bound() ? upper : share; }
 };
 
+Rate rate_of(std::uint64_t wrong, std::uint64_t judged);
 Rate rate_of(const Count& count);
 
 /// asked, unsupported, judged, wrong, share, lower, upper, bound, drawn; and what the wrong answers are.

@@ -1,0 +1,228 @@
+// tribunal sweep: what becomes of every method's answers along stress axes.
+#include "exact/sweep/sweep.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include "exact/base/embedded.h"
+#include "exact/base/failure.h"
+#include "exact/base/figures.h"
+#include "exact/base/files.h"
+#include "exact/base/interrupt.h"
+#include "exact/base/suggestion.h"
+#include "exact/cases/case_io.h"
+#include "exact/cli/command.h"
+#include "exact/compilers/compare.h"
+#include "exact/sweep/map.h"
+#include "exact/sweep/record.h"
+
+namespace tribunal {
+namespace {
+
+/// The axis whose values are builds of one source: it changes the methods, not the cases, so it has a run of its own.
+constexpr std::string_view compiler_axis = "compiler";
+
+/// Asked where the axis takes them, if no method is named.
+constexpr const char* default_methods = "sf-float,sf-double,mt-double,sf-filtered";
+
+struct Options {
+  std::string methods, axes, out = "sweep", redraw, map, pixel;
+  int map_size = 256;
+  SweepPlan plan;
+};
+
+const StressAxis* axis_named(const std::string& name) {
+  if (const StressAxis* found = find_stress_axis(name)) return found;
+  std::vector<std::string> names;
+  for (const StressAxis& a : all_stress_axes()) names.emplace_back(a.name);
+  names.emplace_back(compiler_axis);
+  throw Failure(Exit::usage,
+                "unknown axis \"" + name + "\"" + suggestion(name, names, "one that `tribunal sweep --help` lists"));
+}
+
+std::vector<const StressAxis*> axes_named(const std::string& comma_separated) {
+  std::vector<const StressAxis*> axes;
+  if (comma_separated.empty()) {
+    for (const StressAxis& a : all_stress_axes()) axes.push_back(&a);
+    return axes;
+  }
+  for (const std::string& name : split(comma_separated)) {
+    const StressAxis* axis = axis_named(name);
+    if (std::ranges::find(axes, axis) != axes.end()) throw Failure(Exit::usage, "axis " + name + " is named twice");
+    axes.push_back(axis);
+  }
+  return axes;
+}
+
+std::string axis_help() {
+  std::string text = "axes, separated by commas (default all):";
+  for (const StressAxis& a : all_stress_axes())
+    text += " " + std::string(a.name) + " (" + std::string(a.quantity) + ")";
+  return text + "; or alone: " + std::string(compiler_axis) + " (the naive methods, built otherwise)";
+}
+
+bool is_asked(const SweepPlan& plan, const Method& m) {
+  return std::ranges::any_of(plan.axes, [&](const StressAxis* a) { return takes(m, *a); });
+}
+
+/// A method that takes the operands and probes of none of the axes would be asked nothing, and that is no success.
+void require_asked(const SweepPlan& plan) {
+  for (const Method& m : plan.methods) {
+    if (is_asked(plan, m)) continue;
+    throw Failure(Exit::usage, m.name + ": none of the axes asks what it takes (" + in_words(m.contract) + ")");
+  }
+}
+
+// --- failure maps ---------------------------------------------------------------------------------------------------
+
+std::vector<std::string> map_names() {
+  std::vector<std::string> names;
+  for (const MapContact& c : all_map_contacts()) names.emplace_back(c.name);
+  return names;
+}
+
+std::string file_of(const MapContact& contact) { return "map-" + std::string(contact.name) + ".json"; }
+
+MapPlan map_plan_of(const Options& o, const MapContact& contact) {
+  MapPlan plan{.methods = methods_named(o.methods.empty() ? default_methods : o.methods),
+               .contact = &contact,
+               .size = o.map_size,
+               .threads = o.plan.threads};
+  for (const Method& m : plan.methods) {
+    if (m.contract.probes.segments && m.contract.triangles != Triangles::none) continue;
+    throw Failure(Exit::usage, m.name + ": a map asks segments and triangles, which it does not take (" +
+                                   in_words(m.contract) + ")");
+  }
+  return plan;
+}
+
+int coordinate_of(const std::string& text, int size) {
+  const bool is_number = !text.empty() && text.size() < 6 && text.find_first_not_of("0123456789") == std::string::npos;
+  const int value = is_number ? std::stoi(text) : -1;
+  if (value >= 0 && value < size) return value;
+  throw Failure(Exit::usage, "--pixel: \"" + text + "\", expected a number from 0 to " + std::to_string(size - 1));
+}
+
+/// The pixel as a case, with what the exact answer is.
+int print_pixel(const Options& o, const MapContact& contact) {
+  const std::vector<std::string> parts = split(o.pixel);
+  if (parts.size() != 3) throw Failure(Exit::usage, "--pixel: \"" + o.pixel + "\", expected METHOD,X,Y");
+  const Method method = methods_named(parts[0]).front();
+  const Format format = method.contract.format;
+  Case c{.format = format,
+         .query = query_of_pixel(contact, format, o.map_size, coordinate_of(parts[1], o.map_size),
+                                 coordinate_of(parts[2], o.map_size))};
+  const Truth truth = exact_truth(c.query);
+  c.id = "map-" + std::string(contact.name) + "-" + std::string(name_of(format)) + "-" + parts[1] + "-" + parts[2];
+  c.expect = truth.hit();
+  c.class_id = truth.class_id;
+  c.source = "failure map " + std::string(contact.name) + ", " + std::to_string(o.map_size) + " pixels a side";
+  print(from_case(c).dump() + "\n");
+  return 0;
+}
+
+int run_map(const Options& o) {
+  const MapContact& contact = *find_map_contact(o.map);
+  if (!o.pixel.empty()) return print_pixel(o, contact);
+  const MapPlan plan = map_plan_of(o, contact);
+  make_directory(o.out);
+  watch_interrupts();
+  const FailureMap map = failure_map(plan);
+  print(to_table(plan, map));
+  write_file(o.out + "/" + file_of(contact), to_json_text(plan, map));
+  draw_figures(o.out, embedded_sweep_script, file_of(contact));
+  const std::string name = o.out + "/map-" + o.map;
+  print("written: " + name + ".json, map-" + o.map + ".svg, map-" + o.map + ".png, plot.py\n");
+  return 0;
+}
+
+// --- compilers ------------------------------------------------------------------------------------------------------
+
+int run_compilers(const Options& o) {
+  ComparePlan plan{
+      .builds = all_builds(), .methods = {}, .seed = o.plan.seed, .cases = o.plan.cases, .threads = o.plan.threads};
+  if (plan.builds.empty()) {
+    throw Failure(Exit::resources, "no builds of the naive methods: expected a folder compilers/ beside the program");
+  }
+  if (o.methods.empty()) {
+    for (const Method& m : plan.builds.front().methods) plan.methods.push_back(m.name);
+  } else {
+    for (const Method& m : methods_named(o.methods)) plan.methods.push_back(m.name);
+  }
+  make_directory(o.out);
+  watch_interrupts();
+  const std::vector<BuildRow> rows = compare_builds(plan);
+  print(to_table(plan, rows));
+  write_file(o.out + "/compilers.json", to_json(plan, rows).dump(1) + "\n");
+  draw_figures(o.out, embedded_sweep_script, "compilers.json");
+  print("\nwritten: " + o.out + "/compilers.json, compilers.svg, compilers.png, plot.py\n");
+  return 0;
+}
+
+/// Every record that the directory has.
+int redraw(const std::string& directory) {
+  std::vector<std::string> records;
+  const auto add = [&](const std::string& file) {
+    if (std::filesystem::exists(directory + "/" + file)) records.push_back(file);
+  };
+  add("sweep.json");
+  add("compilers.json");
+  for (const MapContact& c : all_map_contacts()) add(file_of(c));
+  if (records.empty()) throw bad_input(directory, 0, "no record, expected sweep.json, compilers.json or map-NAME.json");
+  for (const std::string& file : records) {
+    draw_figures(directory, embedded_sweep_script, file);
+    print("drawn again from " + directory + "/" + file + "\n");
+  }
+  return 0;
+}
+
+int run(const Options& o) {
+  if (!o.redraw.empty()) return redraw(o.redraw);
+  if (!o.map.empty()) return run_map(o);
+  if (o.axes == compiler_axis) return run_compilers(o);
+  SweepPlan plan = o.plan;
+  plan.axes = axes_named(o.axes);
+  plan.methods = methods_named(o.methods.empty() ? default_methods : o.methods);
+  if (o.methods.empty()) std::erase_if(plan.methods, [&](const Method& m) { return !is_asked(plan, m); });
+  require_asked(plan);
+  make_directory(o.out);
+  watch_interrupts();
+  const Sweep result = sweep(plan);
+  const std::vector<Threshold> thresholds = thresholds_of(plan, result);
+  print(to_table(plan, result, thresholds));
+  write_record(o.out, plan, result, with_witnesses(plan, result, thresholds));
+  draw_figures(o.out, embedded_sweep_script, "sweep.json");
+  print("written: " + o.out +
+        "/sweep.json, sweep.csv, witnesses.jsonl, thresholds.svg, a figure for each axis, plot.py\n");
+  return 0;
+}
+
+}  // namespace
+
+Action declare_sweep(Arguments& arguments) {
+  const auto o = std::make_shared<Options>();
+  arguments.option("--method,--methods", o->methods,
+                   std::string("methods, separated by commas (default ") + default_methods + ")");
+  arguments.option("--axis,--axes", o->axes, axis_help());
+  arguments.option("--seed", o->plan.seed, "seed of the cases").whole_number().shows_default();
+  arguments.option("--count", o->plan.cases, "cases at each value of each axis, in each format")
+      .between(std::uint64_t{1}, std::uint64_t{1} << 32)
+      .shows_default();
+  add_threads_option(arguments, o->plan.threads);
+  arguments.option("--out", o->out, "directory for the record and the figures").shows_default();
+  arguments.option("--redraw", o->redraw, "draw the figures of the record in this directory again; nothing is run");
+  arguments
+      .option("--map", o->map,
+              "instead: a failure map. A segment's end is moved around a contact by units in the last place; each "
+              "pixel is an answer")
+      .one_of(map_names());
+  arguments.option("--map-size", o->map_size, "pixels on each side of a map").between(2, 4096).shows_default();
+  arguments.option("--pixel", o->pixel, "METHOD,X,Y: print this pixel of the map as a case, for `tribunal replay`");
+  arguments.needs("--pixel", "--map");
+  arguments.excludes("--map", "--axis");
+  arguments.excludes("--redraw", "--map");
+  return with_plugins(arguments, [o] { return run(*o); });
+}
+
+}  // namespace tribunal

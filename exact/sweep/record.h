@@ -1,0 +1,36 @@
+// What is kept of a sweep: all that a figure needs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "exact/base/json_fwd.h"
+#include "exact/cases/case_io.h"
+#include "exact/sweep/thresholds.h"
+
+namespace tribunal {
+
+/// A threshold with its first witness, shrunk; a refusal is no counterexample, and its witness stays as it is.
+struct WitnessedThreshold {
+  Threshold threshold;
+  Case witness;
+};
+
+/// In the order of the thresholds. Shrinks on `threads` threads; the bytes do not depend on how many.
+std::vector<WitnessedThreshold> with_witnesses(const SweepPlan& plan, const Sweep& sweep,
+                                               const std::vector<Threshold>& thresholds);
+
+/// sweep.json. Rows and thresholds stand on one line each.
+std::string to_json_text(const SweepPlan& plan, const Sweep& sweep, const std::vector<WitnessedThreshold>& thresholds);
+
+/// sweep.csv: one line for each place and outcome.
+std::string to_csv(const SweepPlan& plan, const Sweep& sweep);
+
+/// What the terminal shows: the worst of each method, and where it begins to fail.
+std::string to_table(const SweepPlan& plan, const Sweep& sweep, const std::vector<Threshold>& thresholds);
+
+/// Writes sweep.json, sweep.csv and witnesses.jsonl to the directory.
+void write_record(const std::string& directory, const SweepPlan& plan, const Sweep& sweep,
+                  const std::vector<WitnessedThreshold>& thresholds);
+
+}  // namespace tribunal

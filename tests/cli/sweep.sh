@@ -1,0 +1,94 @@
+#!/usr/bin/env bash
+# Sweeps from end to end: thresholds and their witnesses, figures drawn again from the record alone, failure maps and
+# their pixels as cases.
+source "$(dirname "$0")/common.bash"
+cd "$scratch"
+
+expect 0 sweep --method mt-float,sf-double,sf-filtered --axis scale,ulps --count 328 --threads 2 --out run
+says out 'sf-filtered: nothing wrong of'
+says out 'scale +'
+says out 'none at'
+lacks err 'tribunal'
+for file in sweep.json sweep.csv witnesses.jsonl thresholds.svg thresholds.png axis-scale.svg axis-ulps.png; do
+  [ -s "run/$file" ] || { echo "no run/$file" >&2; exit 1; }
+done
+[ ! -e run/plot.log ]
+
+# Any number of threads, the same bytes.
+expect 0 sweep --method mt-float,sf-double,sf-filtered --axis scale,ulps --count 328 --threads 3 --out again
+for file in sweep.json sweep.csv witnesses.jsonl thresholds.svg axis-scale.svg; do cmp "run/$file" "again/$file"; done
+
+# Every witness is a counterexample to the method that it names, by its own evidence too.
+expect 1 replay run/witnesses.jsonl
+python3 "$SOURCE_DIR/docs/check_counterexample.py" run/witnesses.jsonl >checked || { cat checked >&2; exit 1; }
+[ "$(grep -c '"witness"' run/sweep.json)" -eq "$(wc -l <run/witnesses.jsonl)" ]
+
+# Drawn again from the record alone, by the program and by the script beside it.
+mkdir drawn
+cp run/sweep.json drawn
+expect 0 sweep --redraw drawn
+for file in thresholds.svg axis-scale.svg axis-ulps.svg; do cmp "run/$file" "drawn/$file"; done
+rm drawn/*.svg drawn/*.png
+/usr/bin/python3 drawn/plot.py drawn/sweep.json drawn
+cmp run/thresholds.svg drawn/thresholds.svg
+mkdir empty
+expect 3 sweep --redraw empty
+
+# By default only the methods that take what the axis asks.
+expect 0 sweep --axis vertices --count 40 --out polygons
+lacks out 'mt-double'
+expect 2 sweep --axis vertices --method mt-double --out no
+says err 'none of the axes asks what it takes'
+expect 2 sweep --axis slivers --out no
+says err 'sliver'
+expect 2 sweep --axis scale,scale --out no
+[ ! -e no ]
+
+# A failure map: pixels as text, a picture, and each pixel a case that replays as the map says.
+expect 0 sweep --map edge --map-size 64 --method sf-float,sf-double,mt-double,sf-filtered --out maps
+says out 'sf-filtered'
+[ -s maps/map-edge.svg ] && [ -s maps/map-edge.png ]
+python3 - maps/map-edge.json >pixels <<'PYTHON'
+import json, sys
+m = json.load(open(sys.argv[1]))
+assert all(len(p["pixels"]) == 64 and all(len(r) == 64 for r in p["pixels"]) for p in m["panels"])
+for p in m["panels"]:
+    seen = {}
+    for y, row in enumerate(p["pixels"]):
+        for x, c in enumerate(row):
+            seen.setdefault(c, (x, y))
+    for c, (x, y) in seen.items():
+        print(p["method"], c, x, y)
+PYTHON
+grep -q '^sf-double [+-]' pixels
+! grep -q '^sf-filtered [+-]' pixels
+while read -r method c x y; do
+  expect 0 sweep --map edge --map-size 64 --pixel "$method,$x,$y"
+  mv out pixel.jsonl
+  "$TRIBUNAL" replay pixel.jsonl >replayed || true
+  verdict=$(grep "^ *$method " replayed)
+  case $c in
+    [-+c]) [[ $verdict == *WRONG* ]] ;;
+    *) [[ $verdict == *right* ]] ;;
+  esac || { echo "pixel $x,$y of $method is '$c', replay says $verdict" >&2; exit 1; }
+done <pixels
+expect 2 sweep --map edge --map-size 64 --pixel sf-double,64,0
+says err 'expected a number from 0 to 63'
+expect 2 sweep --map edge --pixel sf-double
+expect 2 sweep --map corner
+expect 0 sweep --redraw maps
+
+# The compiler as an axis: strict builds change nothing, contracted ones do, and the figure comes from the record.
+expect 0 sweep --axis compiler --method mt-double,woop-double --count 2000 --out built
+says out 'g++-contracted'
+says out 'mt-double'
+python3 - built/compilers.json <<'PYTHON'
+import json, sys
+r = json.load(open(sys.argv[1]))
+changed = {(row["method"], row["build"]): row["changed"] for row in r["rows"]}
+assert changed["mt-double", "g++-O2"] == 0 and changed["mt-double", "g++-contracted"] > 10, changed
+PYTHON
+expect 0 sweep --redraw built
+[ -s built/compilers.png ]
+expect 2 sweep --axis compiler --method sf-filtered --out no
+says err 'is not among the methods that are compiled again'

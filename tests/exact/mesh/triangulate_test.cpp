@@ -1,0 +1,180 @@
+// Faces as fans, polygons and triangles, held against the even-odd region of their rings, in integers.
+#include "exact/mesh/triangulate.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "exact/cases/families/draw.h"
+
+namespace tribunal {
+namespace {
+
+struct Place {
+  std::int64_t x, y;
+};
+
+using Outline = std::vector<Place>;
+
+std::int64_t turn(Place a, Place b, Place c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
+
+bool is_on(Place q, Place a, Place b) {
+  return turn(a, b, q) == 0 && std::min(a.x, b.x) <= q.x && q.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= q.y &&
+         q.y <= std::max(a.y, b.y);
+}
+
+/// Whether q is in the even-odd region; on an edge the answer is either.
+bool is_inside(const std::vector<Outline>& rings, Place q, bool& on_edge) {
+  bool inside = false;
+  for (const Outline& ring : rings) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Place a = ring[i], b = ring[(i + 1) % ring.size()];
+      on_edge |= is_on(q, a, b);
+      if ((a.y > q.y) != (b.y > q.y) && (b.y > a.y) == (turn(a, b, q) > 0)) inside = !inside;
+    }
+  }
+  return inside;
+}
+
+/// Whether q is in the triangle, and not on its edges.
+bool is_within(Place q, Place a, Place b, Place c) {
+  const auto s = turn(a, b, q), t = turn(b, c, q), u = turn(c, a, q);
+  return (s > 0 && t > 0 && u > 0) || (s < 0 && t < 0 && u < 0);
+}
+
+/// A face on a coarse lattice, with edges of four units, so that points between are off most lines.
+struct Face {
+  std::vector<Outline> rings;
+  Outline all;
+  Rings indices;
+  std::vector<Point3> points;
+
+  void add(const Outline& ring, const std::array<Point3, 2>& plane) {
+    rings.push_back(ring);
+    indices.emplace_back();
+    for (const Place p : ring) {
+      indices.back().push_back(static_cast<std::uint32_t>(all.size()));
+      all.push_back(p);
+      points.push_back(plane[0] * static_cast<double>(p.x) + plane[1] * static_cast<double>(p.y));
+    }
+  }
+
+  std::string words() const {
+    std::string text;
+    for (const Outline& ring : rings) {
+      for (const Place p : ring) text += "(" + std::to_string(p.x) + "," + std::to_string(p.y) + ") ";
+      text += "| ";
+    }
+    return text;
+  }
+};
+
+constexpr std::int64_t cell = 4;
+
+Face draw_face(Draw& draw, std::size_t holes) {
+  const auto side = draw.between(2, 4);
+  const auto ring = [&](std::uint64_t count, std::int64_t step) {
+    Outline outline(count);
+    for (Place& p : outline) {
+      p.x = step * draw.between(0, cell * side / step);
+      p.y = step * draw.between(0, cell * side / step);
+    }
+    return outline;
+  };
+  constexpr std::array<std::array<double, 6>, 3> planes = {
+      {{1, 0, 0, 0, 1, 0}, {2, 1, -3, 1, 5, 2}, {0, 0x1p200, 0, 0x1p-200, 0, 1}}};
+  const auto& p = planes[draw.below(planes.size())];
+  const std::array<Point3, 2> plane = {Point3(p[0], p[1], p[2]), Point3(p[3], p[4], p[5])};
+  Face face;
+  face.add(ring(3 + draw.below(6), cell), plane);
+  for (std::size_t h = 0; h < holes; ++h) face.add(ring(3, cell / 2), plane);
+  return face;
+}
+
+/// That each point off the rings is in one triangle if it is in the region, and in none if it is not.
+void expect_tiles(const Face& face, const std::vector<std::array<std::uint32_t, 3>>& triangles) {
+  for (std::int64_t x = 0; x <= 4 * cell; ++x) {
+    for (std::int64_t y = 0; y <= 4 * cell; ++y) {
+      bool on_edge = false;
+      const bool due = is_inside(face.rings, {x, y}, on_edge);
+      if (on_edge) continue;
+      int within = 0, on_side = 0;
+      for (const auto& t : triangles) {
+        const Place a = face.all[t[0]], b = face.all[t[1]], c = face.all[t[2]];
+        within += is_within({x, y}, a, b, c);
+        on_side += turn(a, b, c) != 0 && (is_on({x, y}, a, b) || is_on({x, y}, b, c) || is_on({x, y}, c, a));
+      }
+      ASSERT_EQ(within + on_side > 0, due) << face.words() << "at " << x << "," << y;
+      ASSERT_LE(within, 1) << face.words() << "at " << x << "," << y;
+    }
+  }
+}
+
+TEST(MeshOf, MakesAFanOnlyWhereItIsTheFace) {
+  Draw draw(9, 1, 0);
+  int fans = 0, polygons = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    const Face face = draw_face(draw, 0);
+    PolygonSoup soup{face.points, face.indices[0], {}};
+    soup.end_face();
+    const Mesh mesh = mesh_of(std::move(soup));
+    (mesh.polygons.empty() ? fans : polygons) += 1;
+    if (mesh.polygons.empty()) expect_tiles(face, mesh.triangles);
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(fans, 3000);
+  EXPECT_GT(polygons, 3000);
+}
+
+/// It went once around, and again; both times to the left, and seen from the first vertex within half a turn.
+TEST(MeshOf, ARingThatStartsAgainThroughItsFirstVertexIsNoFan) {
+  const std::array<Point3, 2> plane = {Point3(1, 0, 0), Point3(0, 1, 0)};
+  for (const Outline& ring : {Outline{{4, 8}, {12, 8}, {12, 4}, {0, 8}, {8, 8}, {12, 4}},
+                              Outline{{0, 0}, {4, 0}, {0, 4}, {0, 0}, {4, 0}, {0, 4}},
+                              Outline{{0, 0}, {0, 0}, {4, 0}, {0, 4}, {0, 0}, {4, 0}, {0, 4}}}) {
+    Face face;
+    face.add(ring, plane);
+    PolygonSoup soup{face.points, face.indices[0], {}};
+    soup.end_face();
+    EXPECT_EQ(mesh_of(std::move(soup)).polygons.size(), 1U) << face.words();
+    EXPECT_FALSE(triangulate(face.indices, face.points)) << face.words();
+  }
+}
+
+TEST(MeshOf, ARepeatedFirstVertexHarmsNoFan) {
+  PolygonSoup soup{{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}}, {0, 0, 1, 2, 3, 0}, {}};
+  soup.end_face();
+  EXPECT_TRUE(mesh_of(std::move(soup)).polygons.empty());
+}
+
+TEST(Triangulate, TilesTheFaceOrRefusesIt) {
+  Draw draw(9, 2, 0);
+  int tiled = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    const Face face = draw_face(draw, i % 4 == 0 ? 1 : 0);
+    const auto triangles = triangulate(face.indices, face.points);
+    tiled += triangles.has_value();
+    if (triangles) expect_tiles(face, *triangles);
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(tiled, 3000);
+}
+
+/// A square that touches itself at the tip of a spike, and one with a hole that touches it.
+TEST(Triangulate, RingsThatTouchAreTiledWhereTheyCanBe) {
+  const std::array<Point3, 2> plane = {Point3(1, 0, 0), Point3(0, 1, 0)};
+  Face notched;
+  notched.add({{0, 0}, {8, 0}, {8, 8}, {4, 0}, {0, 8}}, plane);
+  Face holed;
+  holed.add({{0, 0}, {8, 0}, {8, 8}, {0, 8}}, plane);
+  holed.add({{0, 0}, {4, 2}, {2, 4}}, plane);
+  for (const Face& face : {notched, holed}) {
+    const auto triangles = triangulate(face.indices, face.points);
+    ASSERT_TRUE(triangles) << face.words();
+    expect_tiles(face, *triangles);
+  }
+}
+
+}  // namespace
+}  // namespace tribunal
