@@ -154,9 +154,9 @@ void require_operands(Operands operands, const Json& object, const Where& where)
   }
 }
 
-std::vector<Case> read_cases(const std::string& path, std::optional<Operands> operands) {
+std::vector<Case> cases_in(std::string_view text, const std::string& path, std::optional<Operands> operands) {
   std::vector<Case> cases;
-  for_each_line(path, [&](const Json& object, const Where& where) {
+  for_each_line_in(text, path, [&](const Json& object, const Where& where) {
     if (operands) require_operands(*operands, object, where);
     cases.push_back(to_case(object, where));
   });
@@ -204,11 +204,15 @@ std::string case_line(const std::string& id, const Query& query) {
 }
 
 void for_each_line(const std::string& path, const std::function<void(const Json& object, const Where& where)>& visit) {
-  const std::string text = read_file(path);
+  for_each_line_in(read_file(path), path, visit);
+}
+
+void for_each_line_in(std::string_view text, const std::string& path,
+                      const std::function<void(const Json& object, const Where& where)>& visit) {
   std::size_t line_number = 0;
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
-    const std::string_view line(text.data() + begin, end - begin);
+    const std::string_view line = text.substr(begin, end - begin);
     begin = end + 1;
     const Where where{path, ++line_number};
     if (is_blank(line)) continue;
@@ -217,10 +221,14 @@ void for_each_line(const std::string& path, const std::function<void(const Json&
   }
 }
 
-std::vector<Case> read_cases(const std::string& path) { return read_cases(path, std::optional<Operands>{}); }
+std::vector<Case> cases_in(std::string_view text, const std::string& path) {
+  return cases_in(text, path, std::optional<Operands>{});
+}
+
+std::vector<Case> read_cases(const std::string& path) { return cases_in(read_file(path), path); }
 
 std::vector<Case> read_cases(const std::string& path, Operands operands) {
-  return read_cases(path, std::optional(operands));
+  return cases_in(read_file(path), path, std::optional(operands));
 }
 
 Json from_answer(const Case& c, const Method& method, const Answer& answer) {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/method.h"
@@ -30,8 +31,13 @@ Json from_case(const Case& c);
 /// Calls `visit` with the object on every line that is not blank, in order. A line may have 1 MiB.
 void for_each_line(const std::string& path, const std::function<void(const Json& object, const Where& where)>& visit);
 
+/// The same for the text of a file of this name.
+void for_each_line_in(std::string_view text, const std::string& path,
+                      const std::function<void(const Json& object, const Where& where)>& visit);
+
 /// Every line of a case file that is not blank, in order. An empty file is an error.
 std::vector<Case> read_cases(const std::string& path);
+std::vector<Case> cases_in(std::string_view text, const std::string& path);
 
 /// The same, but a case with other operands is an error.
 std::vector<Case> read_cases(const std::string& path, Operands operands);

@@ -10,8 +10,6 @@
 #include "exact/certificate/certificate.h"
 #include "exact/certificate/verify.h"
 #include "exact/cli/command.h"
-#include "exact/mesh/read_mesh.h"
-#include "exact/mesh/triangulate.h"
 
 namespace tribunal {
 namespace {
@@ -36,13 +34,7 @@ std::vector<std::string> budget_names() {
 
 const Budget& budget_named(const std::string& name) { return *std::ranges::find(budgets, name, &Budget::name); }
 
-Family family_of_mesh(const std::string& path) {
-  const Mesh mesh = triangulated(read_mesh(path), path);
-  std::vector<Triangle> triangles;
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) triangles.push_back(mesh.triangle(i));
-  if (triangles.empty()) throw bad_input(path, 0, "holds no faces");
-  return aimed_at(std::move(triangles));
-}
+Family family_of_mesh(const std::string& path) { return aimed_at(read_own_mesh(path).triangles); }
 
 CertifyPlan plan_of(const Options& o, const Method& method, Operands operands) {
   CertifyPlan plan{

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/method.h"
+#include "exact/cases/own/own_data.h"
 #include "exact/cli/arguments.h"
 #include "exact/trial/fuzz.h"
 
@@ -56,7 +57,11 @@ int exit_code_after(int code_if_done, int signal);
 
 Action declare_methods(Arguments& arguments);
 Action declare_classify(Arguments& arguments);
-Action declare_fuzz(Arguments& arguments);
+/// Reads the rays and faces of a scene file.
+using ReadScene = OwnData (*)(const std::string& file);
+
+/// The reader of scenes comes from a room further down.
+Action declare_fuzz(Arguments& arguments, ReadScene read_scene);
 Action declare_shrink(Arguments& arguments);
 Action declare_replay(Arguments& arguments);
 Action declare_cases(Arguments& arguments);

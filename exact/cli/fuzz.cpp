@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdio>
+#include <deque>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -8,10 +9,12 @@
 #include "exact/base/files.h"
 #include "exact/base/interrupt.h"
 #include "exact/base/progress.h"
+#include "exact/cases/own/family.h"
 #include "exact/cli/command.h"
 #include "exact/cli/fuzz_relations.h"
 #include "exact/record/checkpoint.h"
 #include "exact/record/counterexample.h"
+#include "exact/record/data_record.h"
 #include "exact/record/environment.h"
 #include "exact/record/errors_json.h"
 #include "exact/record/plainest.h"
@@ -22,26 +25,33 @@ namespace tribunal {
 namespace {
 
 struct Options {
-  std::string methods = "sf-double", families, out;
+  std::string methods = "sf-double", families, out, cases, mesh, scene;
   std::uint64_t seed = 1, count = 0;
   double seconds = 0;
   unsigned threads = 1;
   std::size_t keep = 20;
-  bool relations = false, resume = false;
+  bool relations = false, resume = false, until_first = false;
 };
 
-std::uint64_t cases_of(const Options& o) {
+/// The default is so many that each of one's own cases is asked as it stands.
+std::uint64_t cases_of(const Options& o, const std::vector<Stream>& streams) {
   constexpr std::uint64_t default_cases = 500'000, no_limit = std::uint64_t{1} << 40;
-  return o.count > 0 ? o.count : o.seconds > 0 ? no_limit : default_cases;
+  if (o.count > 0 || o.seconds > 0) return o.count > 0 ? o.count : no_limit;
+  std::uint64_t cases = default_cases;
+  for (const Stream& s : streams) {
+    if (s.family->data) cases = std::max<std::uint64_t>(cases, 2 * s.family->data->items * streams.size());
+  }
+  return cases;
 }
 
 FuzzPlan plan_of(const Options& o, std::vector<Stream> streams) {
   FuzzPlan plan{.methods = methods_named(o.methods),
                 .streams = std::move(streams),
                 .seed = o.seed,
-                .cases = cases_of(o),
                 .seconds = o.seconds,
-                .threads = o.threads};
+                .threads = o.threads,
+                .until_first = o.until_first};
+  plan.cases = cases_of(o, plan.streams);
   plan.quick = quick_class_for(plan.methods, plan.operands());
   return plan;
 }
@@ -228,15 +238,17 @@ Json summary(const FuzzPlan& plan, const FuzzReport& report) {
                     {"unsupported", count.unsupported}});
     if (count.wrong > 0 || count.refused > 0) rows.back().update(outcomes_of(count));
   }
-  return {{"seed", plan.seed},
-          {"cases", report.cases},
-          {triangles ? "classes_judged" : "polygons_judged", coverage_json(plan, report)},
-          {"judged_by", judged_by(plan, report)},
-          {"audited", report.audited},
-          {"counts", rows},
-          {"errors", errors_json(plan, report)},
-          {"faults", faults_json(plan, report)},
-          {"environment", environment()}};
+  Json object = {{"seed", plan.seed}, {"cases", report.cases}};
+  if (const Json data = data_of(plan); !data.empty()) object["data"] = data;
+  if (plan.until_first) object["until_first"] = true;
+  object.update({{triangles ? "classes_judged" : "polygons_judged", coverage_json(plan, report)},
+                 {"judged_by", judged_by(plan, report)},
+                 {"audited", report.audited},
+                 {"counts", rows},
+                 {"errors", errors_json(plan, report)},
+                {"faults", faults_json(plan, report)},
+                 {"environment", environment()}});
+  return object;
 }
 
 /// The findings of each method that rank first, and the first of each kind of fault; shrinking may raise a rank.
@@ -266,13 +278,24 @@ FuzzReport run_plan(const Options& o, const FuzzPlan& plan) {
   return fuzz(plan, start, [&](const FuzzReport& report) { save_checkpoint(o.out, plan, report); });
 }
 
+/// "mine.jsonl, 12 cases; left out: 1 of polygons"
+std::string in_words(const Json& file) {
+  const std::string text = file["file"].get<std::string>() + ", " + std::to_string(file["items"].get<std::size_t>()) +
+                           " used, SHA-256 " + file["sha256"].get<std::string>().substr(0, 16) + "…";
+  return file.contains("left_out") ? text + "; not used: " + file["left_out"].get<std::string>() : text;
+}
+
 std::string totals(const FuzzPlan& plan, const FuzzReport& report) {
   std::string text = std::to_string(report.cases) + " cases, seed " + std::to_string(plan.seed);
   if (report.seconds > 0) {
     text += "; " + compact(static_cast<double>(report.run_here)) + " in " + compact(report.seconds) + " s, " +
             compact(static_cast<double>(report.run_here) / report.seconds) + "/s";
   }
-  return text + "\njudged by " + judged_by(plan, report) + "\n";
+  text += "\n";
+  for (const Json& file : data_of(plan)) {
+    text += file["family"].get<std::string>() + ": " + in_words(file) + "\n";
+  }
+  return text + "judged by " + judged_by(plan, report) + "\n";
 }
 
 void write_findings(const Options& o, const FuzzPlan& plan, const FuzzReport& report) {
@@ -284,14 +307,16 @@ void write_findings(const Options& o, const FuzzPlan& plan, const FuzzReport& re
         (cases.empty() ? "" : "; `tribunal replay` shows them") + "\n");
 }
 
-/// The finding that ranks first of all, shrunk, for the terminal.
+/// The finding that ranks first of all, or the first, shrunk, for the terminal.
 std::string plainest(const FuzzPlan& plan, const FuzzReport& report) {
-  if (report.findings.empty()) return "";
+  if (report.findings.empty()) return plan.until_first ? "no finding\n" : "";
   const Finding& f = *std::ranges::min_element(report.findings, {}, &Finding::rank);
   const Method& method = plan.methods[f.method];
   const Case c = to_counterexample(plan, f);
-  return "the plainest counterexample, " + in_words(f.outcome, f.severity, f.cause) + ":\n" +
-         counterexample_in_words(method, c) + "\n";
+  const std::string first =
+      "the first finding, case " + std::to_string(f.k) + " of " + name_of(plan.streams[f.stream]) + ", shrunk, ";
+  return (plan.until_first ? first : "the plainest counterexample, ") + in_words(f.outcome, f.severity, f.cause) +
+         ":\n" + counterexample_in_words(method, c) + "\n";
 }
 
 /// A method of which no answer was judged has not been tried, and that is no success.
@@ -312,8 +337,9 @@ int run(const Options& o, const FuzzPlan& plan) {
   FuzzReport report = run_plan(o, plan);
   ask_again(plan, report);
   if (report.cases == 0) throw Failure(Exit::resources, "no case was run");
-  print(verdicts(plan, report) + table(plan, report) + coverage(plan, report) + errors_table(plan, report) +
-        fault_lines(plan, report) + totals(plan, report));
+  const bool stopped = o.until_first && !report.findings.empty();
+  const std::string counts = verdicts(plan, report) + table(plan, report) + coverage(plan, report) + errors_table(plan, report);
+  print((stopped ? "" : counts) + fault_lines(plan, report) + totals(plan, report));
   const bool complete = is_complete(plan, report);
   if (!complete) {
     print("INTERRUPTED after " + std::to_string(report.cases) + " of " + std::to_string(plan.cases) + " cases" +
@@ -322,22 +348,66 @@ int run(const Options& o, const FuzzPlan& plan) {
     write_findings(o, plan, report);
   }
   if (complete) print(plainest(plan, report));
-  if (complete) require_judged(plan, report);
+  if (complete && !stopped) require_judged(plan, report);
   return exit_code_after(code(report.findings.empty() ? Exit::ok : Exit::disagreement), complete ? 0 : interrupted());
 }
 
-int run(const Options& o) {
-  const FuzzPlan plan = plan_of(o, streams_named(o.families));
+/// The families that are asked, with those that are made of the user's own data. The streams point into it.
+struct Sources {
+  std::deque<OwnFamily> own{};
+  std::vector<Stream> streams{};
+
+  void add(const OwnData& data) {
+    const OwnFamily& added = own.emplace_back(family_of(data));
+    for (const Format format : added.formats) streams.push_back({&added.family, format});
+  }
+};
+
+/// What cases of one's own must be about: what the families named are about.
+std::optional<Operands> operands_wanted(const Options& o, const std::vector<Stream>& named) {
+  const bool triangles = !o.mesh.empty() || !o.scene.empty();
+  if (named.empty()) return triangles ? std::optional(Operands::triangles) : std::nullopt;
+  const Operands operands = named.front().family->operands;
+  if (triangles && operands == Operands::polygons) {
+    throw Failure(Exit::usage, "--mesh and --scene ask about triangles, and family " +
+                                   std::string(named.front().family->name) + " about polygons: ask for it apart");
+  }
+  return operands;
+}
+
+/// Own data alone, unless families are named too.
+Sources sources_of(const Options& o, ReadScene read_scene) {
+  const bool own = !o.cases.empty() || !o.mesh.empty() || !o.scene.empty();
+  Sources sources;
+  if (!own || !o.families.empty()) sources.streams = streams_named(o.families);
+  const auto wanted = operands_wanted(o, sources.streams);
+  if (!o.cases.empty()) sources.add(read_own_cases(o.cases, wanted));
+  if (!o.mesh.empty()) sources.add(read_own_mesh(o.mesh));
+  if (!o.scene.empty()) sources.add(read_scene(o.scene));
+  return sources;
+}
+
+int run(const Options& o, ReadScene read_scene) {
+  const Sources sources = sources_of(o, read_scene);
+  const FuzzPlan plan = plan_of(o, sources.streams);
   if (plan.operands() == Operands::polygons) std::ranges::for_each(plan.methods, require_polygons);
   return run(o, plan);
 }
 
 }  // namespace
 
-Action declare_fuzz(Arguments& arguments) {
+Action declare_fuzz(Arguments& arguments, ReadScene read_scene) {
   const auto o = std::make_shared<Options>();
   arguments.option("--method", o->methods, "methods, separated by commas").shows_default();
   arguments.option("--family", o->families, family_help());
+  arguments.option("--cases", o->cases,
+                   "case file of your own (- is standard input): hunt from its cases, as they are and changed by ulps, "
+                   "snapped, flipped, aimed; without --family from them alone. "
+                   "Example: tribunal fuzz --cases mine.jsonl --method sf-double --until-first");
+  arguments.option("--mesh", o->mesh,
+                   "mesh of your own (OFF, OBJ, PLY, STL): hunt from its triangles, with probes aimed at them");
+  arguments.option("--scene", o->scene,
+                   "scene of your own: hunt from the rays of its camera and of what it shades, and the triangles near");
   arguments.option("--seed", o->seed, "seed of the cases").whole_number().shows_default();
   arguments.option("--count", o->count, "cases in all (default 500000)").whole_number().above_zero();
   arguments.option("--seconds", o->seconds, "run for a time instead").above_zero();
@@ -349,7 +419,10 @@ Action declare_fuzz(Arguments& arguments) {
   arguments.option("--keep", o->keep, "counterexamples to shrink and write, a method").whole_number().shows_default();
   arguments.flag("--relations", o->relations, "check relations between answers instead: no oracle is asked");
   arguments.excludes("--relations", "--seconds");
-  const Action action = with_plugins(arguments, [o] { return run(*o); });
+  arguments.flag("--until-first", o->until_first,
+                 "stop at the first finding and print it: the one with the lowest case number, whatever the threads");
+  arguments.excludes("--until-first", "--relations");
+  const Action action = with_plugins(arguments, [o, read_scene] { return run(*o, read_scene); });
   arguments.needs("--plugin", "--method");  // else it would be loaded and not tried
   return action;
 }

@@ -6,6 +6,7 @@
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
 #include "exact/record/chain.h"
+#include "exact/record/data_record.h"
 #include "exact/record/errors_json.h"
 #include "exact/record/sample_row.h"
 #include "exact/trial/judge.h"
@@ -18,7 +19,19 @@ Json plan_record(const FuzzPlan& plan) {
   Json methods = Json::array(), streams = Json::array();
   for (const Method& m : plan.methods) methods.push_back(m.name);
   for (const Stream& s : plan.streams) streams.push_back(name_of(s));
-  return {{"record", "fuzz"}, {"methods", methods}, {"streams", streams}, {"seed", plan.seed}, {"cases", plan.cases}};
+  Json record = {
+      {"record", "fuzz"}, {"methods", methods}, {"streams", streams}, {"seed", plan.seed}, {"cases", plan.cases}};
+  if (plan.until_first) record["until_first"] = true;
+  const Json data = data_of(plan);
+  if (!data.empty()) record["data"] = data;
+  return record;
+}
+
+/// What a run that cannot go on from the checkpoint has otherwise.
+std::string difference(const Json& saved, const Json& plan) {
+  const auto same = [&](const char* key) { return saved.value(key, Json()) == plan.value(key, Json()); };
+  if (!same("data")) return "other data of your own, or changed since";
+  return same("until_first") ? "other methods, families, seed or count" : "another way to end (--until-first)";
 }
 
 Json finding_record(const Finding& f) {
@@ -130,7 +143,8 @@ std::optional<FuzzReport> load_checkpoint(const std::string& directory, const Fu
   if (!std::filesystem::exists(path)) return std::nullopt;
   const LogRecords log = read_log(path);
   if (log.records.empty() || log.records[0] != plan_record(plan)) {
-    throw Failure(Exit::usage, path + " is of a run with other methods, families, seed or count");
+    const Json saved = log.records.empty() ? Json::object() : log.records[0];
+    throw Failure(Exit::usage, path + " is of a run with " + difference(saved, plan_record(plan)));
   }
   FuzzReport report = empty_report(plan);
   for (std::size_t i = 1; i < log.records.size(); ++i) add_record(plan, report, log.records[i], {path, i + 1});

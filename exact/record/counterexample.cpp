@@ -201,6 +201,10 @@ Case to_counterexample(const FuzzPlan& plan, const Finding& f) {
                          {"case", f.k},
                          {"stress", stream.family->levels(stream.format)[f.trial.level]},
                          {"axis", stream.family->axis}};
+  if (const auto& data = stream.family->data) {
+    c.finding["origin"]["file"] = data->file;
+    c.finding["origin"]["sha256"] = data->sha256;
+  }
   return c;
 }
 

@@ -1,6 +1,7 @@
 #include "exact/trial/fuzz.h"
 
 #include <algorithm>
+#include <bit>
 #include <map>
 #include <optional>
 #include <tuple>
@@ -200,22 +201,22 @@ std::vector<Finding> in_order(const FirstFindings& kept, std::size_t streams) {
   return findings;
 }
 
-/// Goes on from the report until the plan's end or `stop`, by whole blocks.
-void run_slice(const FuzzPlan& plan, FuzzReport& report, Progress& progress, const std::function<bool()>& stop) {
+/// Goes on from the report until case `last` or `stop`, by whole blocks.
+void run_slice(const FuzzPlan& plan, std::uint64_t last, FuzzReport& report, Progress& progress,
+               const std::function<bool()>& stop) {
   const FuzzReport empty = empty_report(plan);
   std::vector<Worker> workers(plan.threads, Worker{.counts = empty.counts, .errors = empty.errors});
   for (unsigned w = 0; w < plan.threads; ++w) workers[w].number = w;
   const std::uint64_t start = report.cases;
   const auto begin_of = [&](std::size_t block) {
-    return std::min(plan.cases, start + block * block_size_of(plan.operands()));
+    return std::min(last, start + block * block_size_of(plan.operands()));
   };
   const auto work = [&](std::size_t block, unsigned w) {
     const std::uint64_t wrong_before = workers[w].wrong;
     run_cases(plan, begin_of(block), begin_of(block + 1), workers[w]);
     progress.add(begin_of(block + 1) - begin_of(block), workers[w].wrong - wrong_before);
   };
-  const std::uint64_t blocks =
-      (plan.cases - start + block_size_of(plan.operands()) - 1) / block_size_of(plan.operands());
+  const std::uint64_t blocks = (last - start + block_size_of(plan.operands()) - 1) / block_size_of(plan.operands());
   report.cases = begin_of(run_blocks(blocks, plan.threads, work, stop));
   report.run_here += report.cases - start;
 
@@ -230,6 +231,18 @@ void run_slice(const FuzzPlan& plan, FuzzReport& report, Progress& progress, con
   report.findings = in_order(kept, plan.streams.size());
 }
 
+/// The next case before which a run until the first finding looks whether it has one: after 1, 2, 4, … 64 blocks, then
+/// after every 64. So the cases that it runs do not depend on which thread finds something first.
+std::uint64_t next_look(const FuzzPlan& plan, std::uint64_t cases) {
+  constexpr std::uint64_t most = 64;
+  const std::uint64_t blocks = cases / block_size_of(plan.operands());
+  const std::uint64_t look = blocks < most ? std::bit_floor(std::max<std::uint64_t>(blocks, 1)) * (blocks > 0 ? 2 : 1)
+                                           : (blocks / most + 1) * most;
+  return std::min(plan.cases, look * block_size_of(plan.operands()));
+}
+
+bool is_look(const FuzzPlan& plan, std::uint64_t cases) { return cases > 0 && next_look(plan, cases - 1) == cases; }
+
 std::size_t most_levels(const FuzzPlan& plan) {
   std::size_t most = 1;
   for (const auto& s : plan.streams) most = std::max(most, s.family->levels(s.format).size());
@@ -237,6 +250,10 @@ std::size_t most_levels(const FuzzPlan& plan) {
 }
 
 }  // namespace
+
+std::uint64_t case_number(const FuzzPlan& plan, const Finding& finding) {
+  return finding.k * plan.streams.size() + finding.stream;
+}
 
 FuzzReport empty_report(const FuzzPlan& plan) {
   const std::size_t levels = most_levels(plan);
@@ -248,15 +265,18 @@ FuzzReport empty_report(const FuzzPlan& plan) {
 FuzzReport fuzz(const FuzzPlan& plan, FuzzReport so_far, const Checkpoint& checkpoint) {
   constexpr double seconds_between_checkpoints = 60;
   Progress progress(plan.label, "cases", plan.seconds > 0 ? 0 : plan.cases - so_far.cases);
+  double saved = progress.elapsed();
   while (!is_complete(plan, so_far)) {
-    const double started = progress.elapsed();
-    const auto stop = [&] {
-      const double now = progress.elapsed();
-      return (plan.seconds > 0 && now > plan.seconds) || (checkpoint && now - started > seconds_between_checkpoints);
-    };
-    run_slice(plan, so_far, progress, stop);
+    const auto is_due = [&] { return checkpoint && progress.elapsed() - saved > seconds_between_checkpoints; };
+    const auto stop = [&] { return (plan.seconds > 0 && progress.elapsed() > plan.seconds) || is_due(); };
+    run_slice(plan, plan.until_first ? next_look(plan, so_far.cases) : plan.cases, so_far, progress, stop);
     so_far.seconds = progress.elapsed();
-    if (checkpoint && !is_complete(plan, so_far)) checkpoint(so_far);
+    if (plan.until_first && so_far.findings.size() > 1)
+      so_far.findings.erase(so_far.findings.begin() + 1, so_far.findings.end());
+    if (checkpoint && !is_complete(plan, so_far) && (is_due() || interrupted() != 0)) {
+      checkpoint(so_far);
+      saved = progress.elapsed();
+    }
     if (interrupted() != 0) break;
   }
   return so_far;
@@ -272,7 +292,8 @@ ClassBy quick_class_for(const std::vector<Method>& methods, Operands operands) {
 std::uint64_t block_size_of(Operands operands) { return operands == Operands::triangles ? 2048 : 256; }
 
 bool is_complete(const FuzzPlan& plan, const FuzzReport& report) {
-  return report.cases == plan.cases || (plan.seconds > 0 && report.seconds > plan.seconds);
+  const bool found = plan.until_first && !report.findings.empty() && is_look(plan, report.cases);
+  return found || report.cases == plan.cases || (plan.seconds > 0 && report.seconds > plan.seconds);
 }
 
 std::string name_of(const Stream& s) { return std::string(s.family->name) + " " + std::string(name_of(s.format)); }

@@ -42,6 +42,7 @@ struct FuzzPlan {
   std::uint64_t cases = 0;  ///< in all, dealt to the streams in turn
   double seconds = 0;       ///< if > 0, stop after that time instead; `cases` is then a ceiling
   unsigned threads = 1;
+  bool until_first = false;    ///< stop soon after the first finding, and keep that one alone
   ClassBy quick = nullptr;     ///< of triangles: judges all cases, of which the oracles audit a share; if none, the
                                ///< oracles judge them all
   std::string label = "fuzz";  ///< of the line of progress
@@ -83,6 +84,9 @@ struct FuzzReport {
                                   ///< number
 };
 
+/// The number of the finding's case among all of the plan.
+std::uint64_t case_number(const FuzzPlan& plan, const Finding& finding);
+
 /// Before the first case.
 FuzzReport empty_report(const FuzzPlan& plan);
 
@@ -91,7 +95,9 @@ using Checkpoint = std::function<void(const FuzzReport&)>;
 
 /// Deterministic: the same plan gives the same report (but for `seconds`) whatever the number of threads, and whether
 /// it ran at once or went on from a report of an earlier part of it. With a time limit the number of cases varies, but
-/// not what is said of them. A method with a batch form is asked by it.
+/// not what is said of them. A method with a batch form is asked by it. A run until the first finding ends at one of
+/// a few case numbers that are the same for all plans, so it is as deterministic: its finding is the one with the
+/// lowest case number of all.
 FuzzReport fuzz(const FuzzPlan& plan, FuzzReport so_far, const Checkpoint& checkpoint);
 FuzzReport fuzz(const FuzzPlan& plan);
 
@@ -102,7 +108,7 @@ ClassBy quick_class_for(const std::vector<Method>& methods, Operands operands);
 /// Cases that a thread runs at a time: polygons have slower oracles.
 std::uint64_t block_size_of(Operands operands);
 
-/// Whether all cases of the plan were run, or all its seconds.
+/// Whether all cases of the plan were run, or all its seconds, or it stops at the first finding and has one.
 bool is_complete(const FuzzPlan& plan, const FuzzReport& report);
 
 /// "affine binary64".

@@ -5,6 +5,8 @@
 
 namespace tribunal {
 
+/// fuzz, with scenes.
+Action declare_fuzz(Arguments& arguments);
 Action declare_render(Arguments& arguments);
 Action declare_leak(Arguments& arguments);
 Action declare_judge(Arguments& arguments);

@@ -24,6 +24,15 @@ struct Trial {
   std::optional<Construction> construction{};  ///< of a polygon case, if it was made by one
 };
 
+/// The file that a family's cases are made from.
+struct DataFile {
+  std::string kind;            ///< "cases", "mesh" or "scene"
+  std::string file, sha256{};  ///< the hash of its bytes
+  std::string numbers_sha256;  ///< the hash of all numbers that were read, also from files that it names
+  std::size_t items = 0;       ///< how many cases, faces or probes of it are used
+  std::string left_out{};      ///< what is not, and why, in words
+};
+
 /// A family: what it stresses and which population it draws from. Adding one is adding a file and a row.
 struct Family {
   std::string_view name;
@@ -34,6 +43,7 @@ struct Family {
   std::span<const int> (*levels)(Format);
   std::function<Trial(Format format, std::uint64_t seed, std::uint64_t k)> make;
   Operands operands = Operands::triangles;
+  std::optional<DataFile> data{};  ///< of a family of the user's own data: its cases are a function of it too
 };
 
 }  // namespace tribunal

@@ -1,0 +1,25 @@
+#include "exact/record/data_record.h"
+
+#include "exact/base/json.h"
+
+namespace tribunal {
+
+Json data_of(const FuzzPlan& plan) {
+  Json files = Json::array();
+  const Family* last = nullptr;  // the formats of a family follow each other
+  for (const Stream& s : plan.streams) {
+    if (s.family == last || !s.family->data) continue;
+    last = s.family;
+    const DataFile& data = *s.family->data;
+    Json file = {{"family", s.family->name},
+                 {"file", data.file},
+                 {"sha256", data.sha256},
+                 {"numbers_sha256", data.numbers_sha256},
+                 {"items", data.items}};
+    if (!data.left_out.empty()) file["left_out"] = data.left_out;
+    files.push_back(std::move(file));
+  }
+  return files;
+}
+
+}  // namespace tribunal
