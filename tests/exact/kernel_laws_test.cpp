@@ -241,5 +241,28 @@ TEST(Dyadic, LeavesTheMachineWordInTime) {
   }
 }
 
+/// Numbers of every length about the limbs that a dyadic has room for: sums at every distance, by carries and by
+/// cancellation, and products.
+TEST(Dyadic, LeavesItsLimbsInTime) {
+  const double full = 0x1.fffffffffffffp0;
+  for (int gap = 0; gap <= 520; ++gap) {
+    const double x = std::ldexp(full, gap);
+    const Dyadic long_one = Dyadic(x) + Dyadic(0x1p-52), near_zero = long_one - Dyadic(x);
+    const mpq_class exact = mpq_class(x) + mpq_class(0x1p-52);
+    EXPECT_EQ(long_one.fraction(), exact) << gap;
+    EXPECT_EQ(near_zero.fraction(), mpq_class(0x1p-52)) << gap;
+    EXPECT_EQ((long_one + long_one).fraction(), 2 * exact) << gap;
+    EXPECT_EQ((long_one * Dyadic(-full)).fraction(), exact * mpq_class(-full)) << gap;
+    EXPECT_EQ((long_one * long_one - long_one).fraction(), exact * exact - exact) << gap;
+    EXPECT_EQ(sign_of(Dyadic(x) - long_one), Sign::negative) << gap;
+    EXPECT_EQ(sign_of(long_one - long_one), Sign::zero) << gap;
+    Dyadic copy = near_zero;
+    copy = long_one;
+    EXPECT_EQ(copy.fraction(), exact) << gap;
+    copy = Dyadic(1);
+    EXPECT_EQ(copy.fraction(), 1) << gap;
+  }
+}
+
 }  // namespace
 }  // namespace tribunal
