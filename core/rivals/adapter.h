@@ -8,6 +8,9 @@
 //   meet_segment(p, q, prepared)               the hit with t from 0 at p to 1 at q.
 // A rival with the last alone takes no rays, and its contract says so. One that prepares rays has `PreparedRay`, made
 // by `prepare_ray`, and meet(prepared_ray, t_max, prepared).
+//
+// A test that was published for vector registers gives a Found in place of an optional hit, and so runs on them too
+// (lanes.h).
 #pragma once
 
 #include <limits>
@@ -17,6 +20,7 @@
 #include <vector>
 
 #include "core/method.h"
+#include "core/rivals/batch.h"
 #include "core/rivals/rival.h"
 
 namespace tribunal::published {
@@ -59,17 +63,32 @@ typename R::Prepared prepared(const Triangle& t) {
   return prepared_of<R>(corners_of<typename R::Number>(t));
 }
 
+namespace rival_detail {
+
+template <class N>
+std::optional<RivalHit<N>> as_hit(const Found<N>& found) {
+  if (!found.hit) return std::nullopt;
+  return RivalHit<N>{found.t, found.weights};
+}
+
+template <class N>
+std::optional<RivalHit<N>> as_hit(std::optional<RivalHit<N>> hit) {
+  return hit;
+}
+
+}  // namespace rival_detail
+
 /// The hit of the probe {o + t·d, 0 ≤ t ≤ t_max}.
 template <class R, class N = typename R::Number>
 HitOf<R> meet_up_to(const Vec3<N>& o, const Vec3<N>& d, const N& t_max, const typename R::Prepared& t) {
   if constexpr (PreparesRays<R>) {
     return R::meet(R::prepare_ray(o, d), t_max, t);
   } else if constexpr (MeetsLines<R>) {
-    HitOf<R> hit = R::meet(o, d, t);
+    HitOf<R> hit = rival_detail::as_hit(R::meet(o, d, t));
     if (!hit || !(hit->t >= 0 && hit->t <= t_max)) return std::nullopt;
     return hit;
   } else {
-    return R::meet(o, d, t_max, t);
+    return rival_detail::as_hit(R::meet(o, d, t_max, t));
   }
 }
 
@@ -241,6 +260,10 @@ Method rival_method() {
     m.hit = rival_detail::hit_of<R>;
   }
   m.native = rival_detail::native_loops_of<R>();
+  if constexpr (runs_on_lanes<R>) {
+    m.batch = answer_batch<R>;
+    m.native.batch = batch_loop<R>;
+  }
   if constexpr (PreparesTriangles<R>) m.prepare_triangle = rival_detail::prepare_triangle<R>;
   if constexpr (PreparesRays<R>) m.prepare_ray = rival_detail::prepare_ray<R>;
   return m;

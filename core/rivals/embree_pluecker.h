@@ -5,7 +5,7 @@
 // Interface 2012, for the edge functions. Embree 3 and later call a hit what is beside the edge by one ulp of the sum.
 #pragma once
 
-#include "core/rivals/rival.h"
+#include "core/rivals/lanes.h"
 
 namespace tribunal::published {
 
@@ -17,19 +17,21 @@ struct EmbreePluecker {
                                   "Embree 2 (2015)"};
   static constexpr Contract contract{.convention = Convention::transversal};
 
-  static std::optional<RivalHit<N>> meet(const Vec3<N>& o, const Vec3<N>& d, const N& t_max, const Prepared& t) {
+  /// One ray against four or eight triangles in the source.
+  static Found<N> meet(const Vec3<N>& o, const Vec3<N>& d, const N& t_max, const Prepared& t) {
     const Vec3<N> v0 = t.a - o, v1 = t.b - o, v2 = t.c - o;
     const Vec3<N> e0 = v2 - v0, e1 = v0 - v1, e2 = v1 - v2;
     const N u = edge(v2, v0, e0, d), v = edge(v0, v1, e1, d), w = edge(v1, v2, e2, d);
-    const bool inside = (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
-    if (!inside) return std::nullopt;
+    const MaskOf<N> inside = ((u >= 0) & (v >= 0) & (w >= 0)) | ((u <= 0) & (v <= 0) & (w <= 0));
+    if (none(inside)) return {};
     const Vec3<N> normal = stable_normal(e2, e1, e0);
     const N den = 2 * dot(normal, d);
     const N num = 2 * dot(v0, normal);
-    const N ahead = sign_bit(den) ? N(-num) : num;
-    if (!(ahead >= 0 && absolute(den) * t_max >= ahead) || den == 0) return std::nullopt;
+    const N ahead = select(sign_bit(den), N(-num), num);
+    const MaskOf<N> hit = inside & (ahead >= 0) & (absolute(den) * t_max >= ahead) & (den != 0);
+    if (none(hit)) return {};
     const N inverse = 1 / den;
-    return RivalHit<N>{num * inverse, Weights<N>{u * inverse, v * inverse}};
+    return {hit, num * inverse, {u * inverse, v * inverse}};
   }
 
  private:
@@ -39,7 +41,7 @@ struct EmbreePluecker {
 
   /// One coordinate of a × b or of b × c, which are equal since a + b + c = 0: the one with the smaller subtrahend.
   static N stabler(const N& minuend_ab, const N& ab, const N& minuend_bc, const N& bc) {
-    return absolute(ab) < absolute(bc) ? N(minuend_ab - ab) : N(minuend_bc - bc);
+    return select(absolute(ab) < absolute(bc), N(minuend_ab - ab), N(minuend_bc - bc));
   }
 
   static Vec3<N> stable_normal(const Vec3<N>& a, const Vec3<N>& b, const Vec3<N>& c) {

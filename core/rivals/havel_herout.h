@@ -4,7 +4,7 @@
 // Computer Graphics 16(3), 2010, doi:10.1109/TVCG.2009.73: its three planes and its test.
 #pragma once
 
-#include "core/rivals/rival.h"
+#include "core/rivals/lanes.h"
 
 namespace tribunal::published {
 
@@ -38,18 +38,22 @@ struct HavelHerout {
   }
 
   /// Nothing tests det for zero: where the line lies in the plane all signs are those of zeros, and agree.
-  static std::optional<RivalHit<N>> meet(const Vec3<N>& o, const Vec3<N>& d, const N& t_max, const Prepared& t) {
+  /// Four rays or four triangles at once in the source.
+  static Found<N> meet(const Vec3<N>& o, const Vec3<N>& d, const N& t_max, const Prepared& t) {
     const N det = dot(t.plane.n, d);
     const N dett = t.plane.d - dot(o, t.plane.n);
     const N beyond = t_max * det - dett;
-    if (sign_bit(dett) != sign_bit(t_max * 0 == 0 ? beyond : det)) return std::nullopt;
+    const MaskOf<N> within = sign_bit(dett) == sign_bit(select(t_max * 0 == 0, beyond, det));
+    if (none(within)) return {};
     const Vec3<N> p = {o.x * det + d.x * dett, o.y * det + d.y * dett, o.z * det + d.z * dett};
     const N detu = dot(p, t.of_b.n) + det * t.of_b.d;
-    if (sign_bit(detu) != sign_bit(N(det - detu))) return std::nullopt;
+    const MaskOf<N> beside = within & (sign_bit(detu) == sign_bit(N(det - detu)));
+    if (none(beside)) return {};
     const N detv = dot(p, t.of_c.n) + det * t.of_c.d;
-    if (sign_bit(detv) != sign_bit(N(det - detu - detv))) return std::nullopt;
+    const MaskOf<N> inside = beside & (sign_bit(detv) == sign_bit(N(det - detu - detv)));
+    if (none(inside)) return {};
     const N inverse = 1 / det;
-    return RivalHit<N>{dett * inverse, Weights<N>{detu * inverse, detv * inverse}};
+    return {inside, dett * inverse, {detu * inverse, detv * inverse}};
   }
 };
 

@@ -3,7 +3,7 @@
 // 2007: det, dett, Du, Dv, detu, detv, and the test that det − detu − detv, detu and detv have one sign bit.
 #pragma once
 
-#include "core/rivals/rival.h"
+#include "core/rivals/lanes.h"
 
 namespace tribunal::published {
 
@@ -21,12 +21,12 @@ struct Shevtsov {
     Vec2<N> normal;
     N height;
     Vec2<N> a, ab, ac;
-    Axis dropped;
+    AxisOf<N> dropped;
   };
 
   static Prepared prepare(const Corners<N>& t) {
     const Plane<N> p = plane_of(t);
-    const Axis axis = longest_axis(p.normal);
+    const AxisOf<N> axis = longest_axis(p.normal);
     const N inverse = 1 / coordinate(p.normal, axis);
     const auto shrunk = [&](const Vec3<N>& v) -> Vec2<N> {
       const Vec2<N> flat = project(v, axis);
@@ -35,7 +35,8 @@ struct Shevtsov {
     return {shrunk(p.normal), dot(p.normal, t.a) * inverse, project(t.a, axis), shrunk(p.ab), shrunk(p.ac), axis};
   }
 
-  static std::optional<RivalHit<N>> meet(const Vec3<N>& o, const Vec3<N>& d, const Prepared& t) {
+  /// Four rays at once in the source.
+  static Found<N> meet(const Vec3<N>& o, const Vec3<N>& d, const Prepared& t) {
     const Vec2<N> from = project(o, t.dropped), along = project(d, t.dropped);
     const N det = along.u * t.normal.u + along.v * t.normal.v + coordinate(d, t.dropped);
     const N dett = t.height - (from.u * t.normal.u + from.v * t.normal.v + coordinate(o, t.dropped));
@@ -44,9 +45,12 @@ struct Shevtsov {
     const N detu = t.ac.v * du - t.ac.u * dv;
     const N detv = t.ab.u * dv - t.ab.v * du;
     const N rest = det - detu - detv;
-    if (sign_bit(rest) != sign_bit(detu) || sign_bit(detu) != sign_bit(detv)) return std::nullopt;
+    const MaskOf<N> beside = sign_bit(rest) == sign_bit(detu);
+    if (none(beside)) return {};
+    const MaskOf<N> inside = beside & (sign_bit(detu) == sign_bit(detv));
+    if (none(inside)) return {};
     const N inverse = 1 / det;
-    return RivalHit<N>{dett * inverse, Weights<N>{detu * inverse, detv * inverse}};
+    return {inside, dett * inverse, {detu * inverse, detv * inverse}};
   }
 };
 

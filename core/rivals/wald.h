@@ -4,7 +4,7 @@
 // its structure TriAccel and its test.
 #pragma once
 
-#include "core/rivals/rival.h"
+#include "core/rivals/lanes.h"
 
 namespace tribunal::published {
 
@@ -21,13 +21,13 @@ struct Wald {
 
   struct Prepared {
     Linear plane;  ///< on the plane, the dropped coordinate is d − u·x − v·y
-    Axis dropped;
+    AxisOf<N> dropped;
     Linear of_b, of_c;
   };
 
   static Prepared prepare(const Corners<N>& t) {
     const Plane<N> p = plane_of(t);
-    const Axis axis = longest_axis(p.normal);
+    const AxisOf<N> axis = longest_axis(p.normal);
     const N whole = coordinate(p.normal, axis);
     const Vec2<N> n = project(p.normal, axis), a = project(t.a, axis);
     const Vec2<N> ab = project(p.ab, axis), ac = project(p.ac, axis);
@@ -37,16 +37,16 @@ struct Wald {
             {-ab.v / whole, ab.u / whole, (ab.v * a.u - ab.u * a.v) / whole}};
   }
 
-  static std::optional<RivalHit<N>> meet(const Vec3<N>& o, const Vec3<N>& d, const Prepared& t) {
+  /// Four rays at once in the source, which goes on where none is left.
+  static Found<N> meet(const Vec3<N>& o, const Vec3<N>& d, const Prepared& t) {
     const Vec2<N> from = project(o, t.dropped), along = project(d, t.dropped);
     const N reciprocal = 1 / (coordinate(d, t.dropped) + t.plane.u * along.u + t.plane.v * along.v);
     const N at = (t.plane.d - coordinate(o, t.dropped) - t.plane.u * from.u - t.plane.v * from.v) * reciprocal;
     const N x = from.u + at * along.u, y = from.v + at * along.v;
     const N b = x * t.of_b.u + y * t.of_b.v + t.of_b.d;
-    if (!(b >= 0)) return std::nullopt;
+    if (none(b >= 0)) return {};
     const N c = x * t.of_c.u + y * t.of_c.v + t.of_c.d;
-    if (!(c >= 0 && b + c <= 1)) return std::nullopt;
-    return RivalHit<N>{at, Weights<N>{b, c}};
+    return {MaskOf<N>((b >= 0) & (c >= 0) & (b + c <= 1)), at, {b, c}};
   }
 };
 

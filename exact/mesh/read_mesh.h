@@ -15,6 +15,9 @@ namespace tribunal {
 /// missing, a directory, empty, of an unknown extension, or refused by the reader of the format (readers.h).
 Mesh read_mesh(const std::string& path);
 
+/// Whether the name of this file ends as a mesh's does, in any case of letters.
+bool is_mesh_name(const std::string& file);
+
 /// Vertices and faces as they stand in a file of this name, whose bytes these are.
 PolygonSoup read_soup(const std::string& file, std::string_view bytes);
 

@@ -48,6 +48,19 @@ echo '{"camera":{"eye":[0,0,9],"look_at":[0,0,0],"up":[0,1,0],"fov":40,"width":9
 expect 0 render "$scratch/gear.json" --method sf-double -o "$scratch/gear.png" && says out ', 1 solid, ' && says out ': 1 of 1 solid'
 
 
+# A mesh needs no scene: it is framed. A tolerance with a dimension loses all of a small one.
+expect 0 render data/meshes/3torus.off --method mt-eps-double --against sf-filtered --scale 1e-6 --size 80x60 -o "$scratch/torus.png"
+says out ': 80 x 60 pixels, 1 solid, ' && says out ': 754 of 4800 pixels differ in colour'
+expect 0 render data/meshes/3torus.off --method mt-double --against sf-filtered --scale 1e-6 --size 80x60 --camera 0,1e-5,0 -o "$scratch/torus.png"
+says out ': 0 of 4800 pixels differ in colour'
+expect 0 render data/scenes/paper-2a.json --method sf-double --size 40x30 --camera 3,4,5 -o "$scratch/small.png" && says out ': 40 x 30 pixels'
+for options in '--size 4x' '--size 16385x1' '--size 16384x16384' '--camera 1,2' '--camera 0,nan,1' '--scale 0' '--up w'; do
+  # shellcheck disable=SC2086  # the words are options
+  expect 2 render data/meshes/3torus.off --method sf-double -o "$scratch/refused.png" $options && [ "$(wc -l <"$scratch/err")" -eq 1 ]
+done
+expect 2 render data/scenes/paper-2a.json --method sf-double --scale 2 -o "$scratch/refused.png" && says err 'are for a mesh'
+[ ! -e "$scratch/refused.png" ]
+
 expect 3 render no/such/scene.json --method sf-double -o "$scratch/b.png"
 [ ! -e "$scratch/b.png" ]
 expect 2 render data/scenes/cube-grid.json --method sf-double --accel octree -o "$scratch/b.png"

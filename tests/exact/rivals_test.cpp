@@ -284,6 +284,33 @@ TEST(Rivals, PreparedFormsAnswerAsThePlainOnes) {
   EXPECT_EQ(of_rays, (std::set<std::string>{"woop-double", "woop-float"}));
 }
 
+/// Lanes answer as a number alone does, among neighbours of every kind: of all families, 37 pairs at once, so that the
+/// last registers are not full.
+TEST(Rivals, BatchesAnswerAsTheSingleFormDoes) {
+  std::set<std::string> in_batches;
+  for (const Method& m : rivals()) {
+    if (!m.batch) continue;
+    in_batches.insert(shelf_name(m));
+    std::map<bool, int> answered;
+    for (const Stream& stream : streams_of(Operands::triangles)) {
+      for (std::uint64_t first = 0; first < 1'110; first += 37) {
+        std::vector<TrianglePair> pairs;
+        for (std::uint64_t k = first; k < first + 37; ++k) {
+          pairs.push_back(pair_of(stream.family->make(stream.format, 11, k).query));
+        }
+        std::vector<Answer> answers(pairs.size());
+        m.batch(pairs, answers);
+        for (std::size_t i = 0; i < pairs.size(); ++i) {
+          ++answered[answers[i].hit];
+          EXPECT_EQ(answers[i], m.ask({pairs[i].probe, pairs[i].triangle})) << m.name << " case " << first + i;
+        }
+      }
+    }
+    EXPECT_TRUE(answered[true] > 5'000 && answered[false] > 5'000) << m.name;
+  }
+  EXPECT_EQ(in_batches, (std::set<std::string>{"embree", "havel-herout", "shevtsov", "wald"}));
+}
+
 /// The nearer of two parallel triangles, by every method that orders hits.
 TEST(Rivals, OrderTwoHitsOnARay) {
   const Triangle near{{-4, -4, 2}, {5, -3, 2}, {0, 6, 2}}, far{{-4, -4, 5}, {5, -3, 5}, {0, 6, 5}};

@@ -1,18 +1,22 @@
 // tribunal render: an image, and with --against the pixels that differ, as an image and as cases.
 #include <oneapi/tbb/global_control.h>
 
+#include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
+#include "exact/mesh/read_mesh.h"
 #include "exact/mesh/topology.h"
 #include "exact/record/counterexample.h"
 #include "tracer/cli/command.h"
 #include "tracer/pov/export_pov.h"
 #include "tracer/render/compare.h"
 #include "tracer/render/heat_map.h"
+#include "tracer/scene/framed.h"
 #include "tracer/scene/read_scene.h"
 
 namespace tribunal {
@@ -25,6 +29,9 @@ struct Options {
   unsigned threads = default_threads();
   std::size_t max_cases = 1000;
   bool triangulate = false, heat = false;
+  std::string size, eye;  ///< "WIDTHxHEIGHT", "X,Y,Z"; empty where the scene, or the framing of a mesh, decides
+  std::string up = "y";
+  double scale = 1;
 };
 
 /// The differences that --against found.
@@ -48,6 +55,66 @@ Accel accel_named(std::string_view name) {
     if (name == name_of(a)) return a;
   }
   return Accel::bvh;
+}
+
+/// What stands between commas, or another separator, as numbers; nothing if something there is no number.
+template <class N>
+std::vector<N> numbers_in(std::string_view text, char separator) {
+  std::vector<N> all;
+  for (const char* at = text.data();; ++at) {
+    N x{};
+    const auto [after, error] = std::from_chars(at, text.data() + text.size(), x);
+    if (error != std::errc()) return {};
+    all.push_back(x);
+    at = after;
+    if (at == text.data() + text.size()) return all;
+    if (*at != separator) return {};
+  }
+}
+
+/// "640x480" as the pixels of a picture.
+void set_size(const std::string& size, int& width, int& height) {
+  const std::vector<int> sides = numbers_in<int>(size, 'x');
+  const auto fits = [](int n) { return n >= 1 && n <= max_side; };
+  if (sides.size() != 2 || !std::ranges::all_of(sides, fits) || long{sides[0]} * sides[1] > max_pixels) {
+    throw Failure(Exit::usage,
+                  "--size: expected WIDTHxHEIGHT, 1 to 16384 each and at most 2^26 in all, found \"" + size + "\"");
+  }
+  width = sides[0];
+  height = sides[1];
+}
+
+Point3 eye_of(const std::string& text) {
+  const std::vector<double> x = numbers_in<double>(text, ',');
+  if (x.size() != 3 || !is_finite(Point3(x[0], x[1], x[2]))) {
+    throw Failure(Exit::usage, "--camera: expected three finite numbers X,Y,Z, found \"" + text + "\"");
+  }
+  return {x[0], x[1], x[2]};
+}
+
+Scene scene_of_mesh(const Options& o) {
+  Framing framing{.scale = o.scale, .up = o.up[0]};
+  if (!o.size.empty()) set_size(o.size, framing.width, framing.height);
+  if (!o.eye.empty()) framing.eye = eye_of(o.eye);
+  return framed_scene(o.scene, framing);
+}
+
+Scene scene_of_file(const Options& o) {
+  if (o.scale != 1 || o.up != "y") {
+    throw Failure(Exit::usage, "--scale and --up are for a mesh, and " + o.scene + " is read as a scene");
+  }
+  Scene scene = read_scene(o.scene);
+  if (!o.size.empty()) set_size(o.size, scene.camera.width, scene.camera.height);
+  if (!o.eye.empty()) scene.camera.eye = eye_of(o.eye);
+  return scene;
+}
+
+/// The scene in this file, or one made for the mesh in it.
+Scene scene_of(const Options& o) {
+  if (!(std::isfinite(o.scale) && o.scale != 0)) throw Failure(Exit::usage, "--scale: expected a number other than 0");
+  const Scene scene = is_mesh_name(o.scene) ? scene_of_mesh(o) : scene_of_file(o);
+  if (!o.eye.empty()) require_frame(scene.camera, Where{"--camera"});
+  return scene;
 }
 
 /// "a/image.png" with ".diff.png" → "a/image.diff.png".
@@ -280,7 +347,7 @@ int run(const Options& o) {
   if (!o.against.empty()) methods.push_back(method_named(o.against));
   const std::vector<Output> outputs = outputs_of(o);
   require_writable(o, outputs);
-  const Scene scene = read_scene(o.scene);
+  const Scene scene = scene_of(o);
   const auto is_binary32 = [](const Method& m) { return m.contract.format == Format::binary32; };
   const bool narrow = std::any_of(methods.begin(), methods.end(), is_binary32);
   const bool takes_polygons = std::all_of(methods.begin(), methods.end(), [](const Method& m) { return m.polygon; });
@@ -340,10 +407,17 @@ int run(const Options& o) {
 
 Action declare_render(Arguments& arguments) {
   const auto o = std::make_shared<Options>();
-  arguments.option("scene", o->scene, "scene file (JSON)").required();
+  arguments.option("scene", o->scene, "scene file (JSON), or a mesh (.off, .obj, .ply, .stl), which is then framed")
+      .required();
   arguments.option("--method", o->method, "the method that decides what rays hit").required();
   arguments.option("--against", o->against, "a second method: report, draw and export the pixels that differ");
   arguments.option("-o,--out", o->out, "image file (PNG)").required();
+  arguments.option("--size", o->size, "pixels, e.g. 640x480, instead of the scene's");
+  arguments.option("--camera", o->eye, "X,Y,Z: the place of the eye, instead of the scene's or the chosen one");
+  arguments.option("--scale", o->scale, "factor of the vertices of a mesh, e.g. 1e-6");
+  arguments.option("--up", o->up, "the axis of a mesh that points up in the picture")
+      .one_of({"x", "y", "z"})
+      .shows_default();
   arguments.option("--stats", o->stats, "counts of rays, tests and hits (JSON)");
   arguments.option("--depth", o->depth, "generations of rays, instead of the scene's").between(1, 16);
   arguments.option("--accel", o->accel, "none, boxes (one a solid) or bvh")

@@ -14,8 +14,6 @@
 namespace tribunal {
 namespace {
 
-constexpr int max_side = 16384;
-constexpr long max_pixels = 1L << 26;
 constexpr double huge = std::numeric_limits<double>::max();
 
 double number_in(const Json& value, double lo, double hi, const Where& where) {
@@ -74,19 +72,6 @@ const Json& array_at(const Json& object, const char* key, const Where& where) {
 Point3 scaled_to_one(const Point3& v) {
   const double size = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
   return size > 0 ? Point3(v.x / size, v.y / size, v.z / size) : v;
-}
-
-/// Refuses a camera whose view and up are parallel up to 2⁻⁴⁰: their cross product, from which the frame is built,
-/// would be mostly rounding error.
-void require_frame(const Camera& c, const Where& where) {
-  const Point3 view = c.look_at - c.eye;
-  if (!is_finite(view)) where.fail("eye and look_at are too far apart");
-  if (view == Point3(0)) where.fail("singular camera: expected look_at to differ from eye");
-  if (c.up == Point3(0)) where.key("up").fail("singular camera: expected a direction, found [0,0,0]");
-  const Point3 v = scaled_to_one(view), u = scaled_to_one(c.up);
-  if (glm::length(glm::cross(v, u)) <= 0x1p-40 * glm::length(v) * glm::length(u)) {
-    where.key("up").fail("singular camera: expected a direction that is not parallel to the view");
-  }
 }
 
 double view_height_of(const Json& object, const Where& where) {
@@ -294,6 +279,17 @@ Scene to_scene(const Json& object, const Where& where) {
 }
 
 }  // namespace
+
+void require_frame(const Camera& c, const Where& where) {
+  const Point3 view = c.look_at - c.eye;
+  if (!is_finite(view)) where.fail("eye and look_at are too far apart");
+  if (view == Point3(0)) where.fail("singular camera: expected look_at to differ from eye");
+  if (c.up == Point3(0)) where.key("up").fail("singular camera: expected a direction, found [0,0,0]");
+  const Point3 v = scaled_to_one(view), u = scaled_to_one(c.up);
+  if (glm::length(glm::cross(v, u)) <= 0x1p-40 * glm::length(v) * glm::length(u)) {
+    where.key("up").fail("singular camera: expected a direction that is not parallel to the view");
+  }
+}
 
 Scene parse_scene(const std::string& text, const std::string& path) {
   const Where where{path};

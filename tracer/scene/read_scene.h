@@ -36,6 +36,7 @@
 
 #include <string>
 
+#include "exact/base/json.h"
 #include "tracer/scene/scene.h"
 
 namespace tribunal {
@@ -46,5 +47,9 @@ Scene read_scene(const std::string& path);
 
 /// The same from text; meshes are looked for relative to `path`.
 Scene parse_scene(const std::string& text, const std::string& path);
+
+/// Refuses a camera whose view and up are parallel up to 2⁻⁴⁰: their cross product, from which the frame is built,
+/// would be mostly rounding error.
+void require_frame(const Camera& camera, const Where& where);
 
 }  // namespace tribunal

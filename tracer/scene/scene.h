@@ -11,6 +11,10 @@
 
 namespace tribunal {
 
+/// Pixels that a picture may have, on a side and in all.
+inline constexpr int max_side = 16384;
+inline constexpr long max_pixels = 1L << 26;
+
 /// Pinhole camera. The picture is `view_height` high at unit distance from the eye; pixels are square.
 struct Camera {
   Point3 eye{}, look_at{}, up{};
