@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -26,7 +27,13 @@ class BoundedInteger {
   explicit constexpr BoundedInteger(const Value& v) : value_(v) {}
 
   /// x must be an integer of magnitude below 2^Bits.
-  explicit BoundedInteger(double x) requires(words <= 2) : value_(static_cast<Value>(x)) {}
+  explicit BoundedInteger(double x) {
+    if constexpr (words <= 2) {
+      value_ = static_cast<Value>(x);
+    } else {
+      value_ = words_of(x);
+    }
+  }
 
   const Value& value() const { return value_; }
 
@@ -58,6 +65,30 @@ class BoundedInteger {
   }
 
  private:
+  /// The significand at its place, negated if x is negative.
+  static Words words_of(double x) {
+    const auto pattern = std::bit_cast<Word>(x);
+    const auto field = static_cast<int>(pattern >> 52 & 0x7ff);
+    const Word significand = (pattern & 0xfffffffffffff) | (field == 0 ? 0 : Word{1} << 52);
+    const int shift = field - 1075;
+    Words w{};
+    if (shift <= 0) {
+      w[0] = shift <= -64 ? 0 : significand >> -shift;
+    } else {
+      const auto whole = static_cast<std::size_t>(shift / 64);
+      const int rest = shift % 64;
+      w[whole] = significand << rest;
+      if (rest > 11) w[whole + 1] = significand >> (64 - rest);
+    }
+    if (x >= 0) return w;
+    Word carry = 1;
+    for (Word& v : w) {
+      v = ~v + carry;
+      carry &= static_cast<Word>(v == 0);
+    }
+    return w;
+  }
+
   Value value_;
 };
 

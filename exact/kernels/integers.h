@@ -113,6 +113,7 @@ auto with_exact_number(const P& probe, const Triangle& t, const F& f) {
   if (form.bits <= 40) return f.template operator()<Integer<40>>(form(probe), form(t));  // in two
   if (form.bits <= 61) return f.template operator()<Integer<61>>(form(probe), form(t));  // in three
   if (form.bits <= 125) return f.template operator()<Integer<125>>(form(probe), form(t));
+  if (form.bits <= 253) return f.template operator()<Integer<253>>(form(probe), form(t));
   return f.template operator()<Dyadic>(probe, t);
 }
 

@@ -1,13 +1,11 @@
 #include "exact/trial/formulations.h"
 
 #include "exact/classes/class_table.h"
+#include "exact/trial/formulations_on.h"
 
 namespace tribunal {
 
-Truth truth_by_formulations(const Query& query) {
-  if (const auto truth = truth_on_integers<BoundedInteger>(query)) return *truth;
-  return exact_truth(query);
-}
+Truth truth_by_formulations(const Query& query) { return truth_by_formulations_on<BoundedInteger>(query); }
 
 Truth formulated_truth(const Trial& trial, std::uint64_t k, bool needs_facing, TruthBy formulations) {
   if (trial.class_id != 0 && k % 257 != 0) {

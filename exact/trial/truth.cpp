@@ -59,14 +59,20 @@ Truth truth_of(const Trial& trial, std::uint64_t k) {
 const char* oracle_of(const Family& family) {
   if (family.operands == Operands::triangles) {
     return family.constructs
-               ? "construction, 1 case in 257 also on integers of fixed width, 1 in 256, drawn by a hash, "
-                 "by all: class table, rational kernel, Caratheodory, CGAL where defined"
-               : "class table, Segura-Feito and Caratheodory on integers of fixed width where they hold "
-                 "the operands; 1 case in 256, drawn by a hash, and all others, by class table, rational "
-                 "kernel, Caratheodory, CGAL where defined";
+               ? "construction, 1 case in 257 also by class table, Segura-Feito and Caratheodory on "
+                 "integers of fixed width, or GMP's; 1 in 256, drawn by a hash, by class table, rational "
+                 "kernel, Caratheodory, CGAL where defined"
+               : "class table, Segura-Feito and Caratheodory on integers of fixed width, or GMP's; 1 case "
+                 "in 256, drawn by a hash, by class table, rational kernel, Caratheodory, CGAL where "
+                 "defined";
   }
-  return !family.constructs ? oracles_of(family.operands)
-                            : "construction, rational kernel, point in rings twice, covering surface, Caratheodory";
+  return family.constructs ? "construction, rational kernel, point in rings twice, covering surface, Caratheodory"
+                           : oracles_of(family.operands);
+}
+
+const char* formulations_in_words() {
+  return "class table, Segura-Feito and Caratheodory on integers of fixed width, or GMP's where those do not hold the "
+         "operands";
 }
 
 const char* oracles_of(Operands operands) {
