@@ -101,6 +101,8 @@ struct Method {
 
   /// Its tests of segments and triangles for a clock; without them it is timed through `segment`.
   NativeLoops native{};
+  /// The same of rays, which each pair is read as (`ray_of`).
+  NativeLoops native_rays{};
 
   /// The answer to a query. A non-finite operand never reaches the test.
   Answer ask(const Query& query) const {

@@ -19,6 +19,9 @@ struct SegmentPair {
   Triangle triangle;
 };
 
+/// The pair read as one of a ray: from the segment's first point in direction `q`, taken as a vector.
+inline Ray ray_of(const SegmentPair& p) { return {p.segment.p, {p.segment.q}}; }
+
 /// One pass over n pairs that are already in place, n being the size of `hits`: 1 for a hit and 0 for none. Tests one
 /// by one are asked in the order 0, step, 2·step … modulo n. Passes with one step after the other find the data in the
 /// cache, as a loop over the same pairs does, but no branch predictor can learn their answers by heart.
@@ -70,6 +73,12 @@ NativeLoops native_loops(const Test& test) {
     };
   };
   return {.single = loop, .bytes = sizeof(Triangle)};
+}
+
+/// The loop of test(ray, triangle) → bool, on the same pairs read as pairs of rays.
+template <class Test>
+NativeLoops native_ray_loops(const Test& test) {
+  return native_loops([test](const Segment& s, const Triangle& t) { return test(Ray{s.p, {s.q}}, t); });
 }
 
 }  // namespace tribunal

@@ -56,6 +56,8 @@ Method classical_method(const Description& d, Inclusion<N> inside) {
   m.segment = [inside](const Segment& s, const Triangle& t) { return ask_triangle<N>(s, t, inside); };
   m.ray = [inside](const Ray& r, const Triangle& t) { return ask_triangle<N>(r, t, inside); };
   m.native = native_loops([inside](const Segment& s, const Triangle& t) { return ask_triangle<N>(s, t, inside).hit; });
+  m.native_rays =
+      native_ray_loops([inside](const Ray& r, const Triangle& t) { return ask_triangle<N>(r, t, inside).hit; });
   return m;
 }
 

@@ -205,7 +205,7 @@ PreparedRay prepare_ray(const Ray& ray) {
       [r](const Triangle& t) { return R::meet(r, unbounded<N>(), prepared<R>(t)) ? hit_at(Contact::unsaid) : miss(); };
 }
 
-/// The segments, and what the test keeps of each triangle, on its own number type.
+/// The segments, or rays, and what the test keeps of each triangle, on its own number type.
 template <class R, class N = typename R::Number>
 struct PairsOf {
   struct Ends {
@@ -228,19 +228,30 @@ struct PairsOf {
   }
 };
 
+/// The hit of the segment from p to q, or of the ray from p in direction q.
+template <class R, class P, class N = typename R::Number>
+HitOf<R> meet_probe(const Vec3<N>& p, const Vec3<N>& q, const typename R::Prepared& t) {
+  if constexpr (std::is_same_v<P, Segment>) {
+    return meet_between<R>(p, q, t);
+  } else {
+    return meet_up_to<R>(p, q, unbounded<N>(), t);
+  }
+}
+
 /// Inlined as a whole: a user's loop has no call in it either, nor a hit that goes through memory.
-template <class R, class N = typename R::Number>
+template <class R, class P, class N = typename R::Number>
 [[gnu::flatten]] bool meets(const Vec3<N>& p, const Vec3<N>& q, const typename R::Prepared& t) {
-  return meet_between<R>(p, q, t).has_value();
+  return meet_probe<R, P>(p, q, t).has_value();
 }
 
 /// The same with the triangle prepared on the way.
-template <class R, class N = typename R::Number>
+template <class R, class P, class N = typename R::Number>
 [[gnu::flatten]] bool prepares_and_meets(const Vec3<N>& p, const Vec3<N>& q, const Corners<N>& corners) {
-  return meet_between<R>(p, q, prepared_of<R>(corners)).has_value();
+  return meet_probe<R, P>(p, q, prepared_of<R>(corners)).has_value();
 }
 
-template <class R>
+/// Of segments, or of rays.
+template <class R, class P>
 NativeLoops native_loops_of() {
   using Pairs = PairsOf<R>;
   NativeLoops native{.bytes = sizeof(typename R::Prepared)};
@@ -248,7 +259,7 @@ NativeLoops native_loops_of() {
     return [pairs = Pairs(given)](std::span<std::uint8_t> hits, std::size_t step) {
       visit_by_steps(hits.size(), step, [&](std::size_t i) {
         const auto& [p, q] = pairs.segments[i];
-        hits[i] = prepares_and_meets<R>(p, q, pairs.triangles[i]);
+        hits[i] = prepares_and_meets<R, P>(p, q, pairs.triangles[i]);
       });
     };
   };
@@ -260,7 +271,7 @@ NativeLoops native_loops_of() {
                   [pairs](std::span<std::uint8_t> hits, std::size_t step) {
                     visit_by_steps(hits.size(), step, [&](std::size_t i) {
                       const auto& [p, q] = pairs->segments[i];
-                      hits[i] = meets<R>(p, q, pairs->prepared[i]);
+                      hits[i] = meets<R, P>(p, q, pairs->prepared[i]);
                     });
                   }};
     };
@@ -289,10 +300,12 @@ Method rival_method() {
     m.parameter = rival_detail::parameter_of<R>;
     m.hit = rival_detail::hit_of<R>;
   }
-  m.native = rival_detail::native_loops_of<R>();
+  m.native = rival_detail::native_loops_of<R, Segment>();
+  if constexpr (takes_rays<R>) m.native_rays = rival_detail::native_loops_of<R, Ray>();
   if constexpr (runs_on_lanes<R>) {
     m.batch = answer_batch<R>;
-    m.native.batch = batch_loop<R>;
+    m.native.batch = batch_loop<R, Segment>;
+    if constexpr (takes_rays<R>) m.native_rays.batch = batch_loop<R, Ray>;
   }
   if constexpr (PreparesTriangles<R>) m.prepare_triangle = rival_detail::prepare_triangle<R>;
   if constexpr (PreparesRays<R>) m.prepare_ray = rival_detail::prepare_ray<R>;

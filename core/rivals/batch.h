@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "core/answer.h"
@@ -75,6 +76,16 @@ struct Group {
   }
 };
 
+/// The pair's segment, or the ray that it is read as.
+template <class P>
+P probe_of(const SegmentPair& pair) {
+  if constexpr (std::is_same_v<P, Segment>) {
+    return pair.segment;
+  } else {
+    return ray_of(pair);
+  }
+}
+
 }  // namespace batch_detail
 
 /// The answers of R, as the adapter gives them one by one.
@@ -96,14 +107,14 @@ template <class R>
   }
 }
 
-/// The same for a clock, with all triangles prepared.
-template <class R>
+/// The same for a clock, with all triangles prepared, of segments or of rays.
+template <class R, class P>
 NativeRun batch_loop(std::span<const SegmentPair> pairs) {
   using Group = batch_detail::Group<R>;
   std::vector<Group> groups((pairs.size() + Group::size - 1) / Group::size);
   for (std::size_t i = 0; i < groups.size() * Group::size; ++i) {
     const SegmentPair& pair = pairs[std::min(i, pairs.size() - 1)];
-    groups[i / Group::size].put(i % Group::size, pair.segment);
+    groups[i / Group::size].put(i % Group::size, batch_detail::probe_of<P>(pair));
     groups[i / Group::size].put(i % Group::size, pair.triangle);
   }
   for (Group& group : groups) group.prepare();

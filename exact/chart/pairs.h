@@ -8,9 +8,6 @@
 
 namespace tribunal {
 
-/// The ray from the segment's first point in direction `q`, read as a vector.
-inline Ray ray_of(const SegmentPair& p) { return {p.segment.p, {p.segment.q}}; }
-
 /// Five points of the unit cube with 53-bit coordinates, k-th draw.
 SegmentPair random_pair(std::uint64_t k);
 

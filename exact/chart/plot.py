@@ -231,40 +231,51 @@ def onset(chart):
 HIT_MARKS = {0: ("o", "#56B4E9"), 7: ("s", "#0072B2"), 50: ("^", "#E69F00"), 100: ("D", "#D55E00")}
 
 
-def speed(chart):
-    """The quickest at 7 % hits on top; tests that do nothing below all."""
-    rows = [r for r in chart["speed"] if r["call"] != "set-up"]
-    set_up = {r["method"]: r["nanoseconds"]["median"] for r in chart["speed"] if r["call"] == "set-up"}
-    lines = {}
-    for r in rows:
-        lines.setdefault((r["method"], r["call"]), {})[r["percent_hits"]] = r["nanoseconds"]
-    order = sorted(lines, key=lambda k: (not k[0].startswith("("), -lines[k][7]["median"]))
-    height = 2.3 + 0.235 * len(order)
-    figure, ax = plt.subplots(figsize=(11, height))
-    figure.subplots_adjust(left=0.26, right=0.84, top=1 - 1.15 / height, bottom=0.95 / height)
+def draw_speed(ax, order, lines, set_up):
     for y, key in enumerate(order):
-        spans = lines[key]
+        spans = lines.get(key)
+        if not spans:
+            ax.text(0.5, y, "takes no rays", transform=ax.get_yaxis_transform(), fontsize=8, va="center", ha="center",
+                    color="#8A8A8A")
+            continue
         ax.plot([min(t["median"] for t in spans.values()), max(t["median"] for t in spans.values())], [y, y],
                 color="#C8C8C8", lw=1.2, zorder=1)
         for percent, t in spans.items():
             marker, colour = HIT_MARKS[percent]
             ax.plot([t["lower_quartile"], t["upper_quartile"]], [y, y], color=colour, lw=2.2, zorder=2)
             ax.plot([t["median"]], [y], marker, ms=5, color=colour, zorder=3)
-        if key[1] == "prepared":
+        if key[1] == "prepared" and key[0] in set_up:
             ax.text(1.015, y, f"{set_up[key[0]]:.0f} ns a triangle", transform=ax.get_yaxis_transform(), fontsize=8,
                     va="center", color="#555555")
+
+
+def speed(chart):
+    """Segments beside rays; the quickest about segments at 7 % hits on top, tests that do nothing below all."""
+    set_up = {r["method"]: r["nanoseconds"]["median"] for r in chart["speed"] if r["call"] == "set-up"}
+    lines = {"segment": {}, "ray": {}}
+    for r in (r for r in chart["speed"] if r["call"] != "set-up"):
+        lines[r["probe"]].setdefault((r["method"], r["call"]), {})[r["percent_hits"]] = r["nanoseconds"]
+    both = {**lines["ray"], **lines["segment"]}
+    order = sorted(both, key=lambda k: (not k[0].startswith("("), -both[k][7]["median"]))
+    height = 2.3 + 0.235 * len(order)
+    figure, axes = plt.subplots(1, 2, figsize=(14, height), sharex=True, sharey=True)
+    figure.subplots_adjust(left=0.2, right=0.885, top=1 - 1.35 / height, bottom=0.95 / height, wspace=0.05)
+    for ax, (probe, title) in zip(axes, (("segment", "segments"), ("ray", "rays"))):
+        draw_speed(ax, order, lines[probe], set_up if probe == "ray" else {})
+        ax.set(xscale="log", ylim=(-0.7, len(order) - 0.3), xlabel="time per test (median; bar: quartiles)")
+        ax.set_title(title, fontsize=10.5)
+        ax.xaxis.set_major_formatter(FuncFormatter(lambda x, _: nanoseconds(x)))
+        ax.xaxis.set_minor_formatter(NullFormatter())
     if set_up:
-        ax.text(1.015, 1.0, "set-up", transform=ax.transAxes, fontsize=8.5, fontweight="bold", va="bottom")
-    ax.set(xscale="log", ylim=(-0.7, len(order) - 0.3), xlabel="time per test (median; bar: quartiles)")
-    ax.set_yticks(range(len(order)), [m if call == "single" else f"{m}, {call}" for m, call in order], fontsize=8.5)
-    ax.xaxis.set_major_formatter(FuncFormatter(lambda x, _: nanoseconds(x)))
-    ax.xaxis.set_minor_formatter(NullFormatter())
+        axes[1].text(1.015, 1.0, "set-up", transform=axes[1].transAxes, fontsize=8.5, fontweight="bold", va="bottom")
+    axes[0].set_yticks(range(len(order)), [m if call == "single" else f"{m}, {call}" for m, call in order],
+                       fontsize=8.5)
     handles = [Line2D([], [], ls="", marker=m, color=c, ms=5.5, label=f"{p} % hit") for p, (m, c) in HIT_MARKS.items()]
-    figure.legend(handles=handles, loc="lower left", bbox_to_anchor=(0.25, 0.002), ncol=4, frameon=False, fontsize=8.5)
+    figure.legend(handles=handles, loc="lower left", bbox_to_anchor=(0.19, 0.002), ncol=4, frameon=False, fontsize=8.5)
     figure.suptitle("What a test costs, by the share of hits", x=0.02, y=1 - 0.2 / height, ha="left", fontsize=14,
                     fontweight="bold")
-    figure.text(0.02, 1 - 0.72 / height, "Random segments and triangles of the unit cube, 4,000 pairs in cache, each "
-                "test in a loop that was compiled around it.", fontsize=9, color="#555555")
+    figure.text(0.02, 1 - 0.72 / height, "Random segments, or rays, and triangles of the unit cube, 4,000 pairs in "
+                "cache, each test in a loop that was compiled around it.", fontsize=9, color="#555555")
     return figure
 
 

@@ -21,22 +21,52 @@ struct Call {
 
 constexpr const char* set_up = "set-up";
 
-void add_calls(std::vector<Call>& calls, const Method& m) {
-  calls.push_back({{m.name, "single", m.native.prepared ? 0 : m.native.bytes, {}}, single_loop(m)});
-  if (m.native.batch) calls.push_back({{m.name, "batch", m.native.bytes, {}}, m.native.batch});
-  if (!m.native.prepared) return;
-  calls.push_back({{m.name, "prepared", m.native.bytes, {}}, prepared_loop(m)});
-  calls.push_back({{m.name, set_up, m.native.bytes, {}}, set_up_loop(m)});
+void add_calls(std::vector<Call>& calls, const Method& m, ProbeKind kind) {
+  const NativeLoops& native = loops_of(m, kind);
+  const auto add = [&](const char* call, std::size_t bytes, NativeLoop loop) {
+    calls.push_back({{m.name, kind, call, bytes, {}}, std::move(loop)});
+  };
+  add("single", native.prepared ? 0 : native.bytes, single_loop(m, kind));
+  if (native.batch) add("batch", native.bytes, native.batch);
+  if (!native.prepared) return;
+  add("prepared", native.bytes, prepared_loop(m, kind));
+  if (kind == ProbeKind::segment) add(set_up, native.bytes, set_up_loop(m));
 }
 
-std::vector<Call> calls_of(std::span<const Method> methods) {
-  std::vector<Call> calls = {{{"(empty loop)", "single", 0, {}}, empty_loop()},
-                             {{"(empty C function)", "single", 0, {}}, empty_call_loop()}};
+bool takes(const Method& m, ProbeKind kind) {
+  if (m.contract.triangles == Triangles::none) return false;
+  return kind == ProbeKind::segment ? m.segment && m.contract.probes.segments : m.ray && m.contract.probes.rays;
+}
+
+/// A test that does nothing does the same about a ray.
+std::vector<Call> calls_of(std::span<const Method> methods, ProbeKind kind) {
+  std::vector<Call> calls = {{{"(empty loop)", kind, "single", 0, {}}, empty_loop()},
+                             {{"(empty C function)", kind, "single", 0, {}}, empty_call_loop()}};
   for (const Method& m : methods) {
-    if (m.segment && m.contract.probes.segments && m.contract.triangles != Triangles::none) add_calls(calls, m);
+    if (takes(m, kind)) add_calls(calls, m, kind);
   }
   return calls;
 }
+
+std::vector<SpeedRow> measure(std::span<const Method> methods, ProbeKind kind, int repetitions) {
+  std::vector<Call> calls = calls_of(methods, kind);
+  std::vector<NativeLoop> loops;
+  for (const Call& call : calls) loops.push_back(call.loop);
+  for (const int percent : hit_shares) {
+    const std::vector<SegmentPair> pairs =
+        kind == ProbeKind::segment ? random_pairs(timed_pairs, percent) : random_rays(timed_pairs, percent);
+    const std::vector<Timing> times = time_loops(loops, pairs, timed_pairs / 40, repetitions);
+    for (std::size_t i = 0; i < calls.size(); ++i) calls[i].row.times.push_back(times[i]);
+  }
+  std::vector<SpeedRow> rows;
+  for (Call& call : calls) {
+    if (call.row.call == set_up) call.row.times.resize(1);
+    rows.push_back(std::move(call.row));
+  }
+  return rows;
+}
+
+const char* name_of(ProbeKind kind) { return kind == ProbeKind::segment ? "segment" : "ray"; }
 
 std::string cell(const Timing& t) {
   char text[48];
@@ -50,19 +80,8 @@ std::string cell(const Timing& t) {
 }  // namespace
 
 std::vector<SpeedRow> measure_speed(std::span<const Method> methods, int repetitions) {
-  std::vector<Call> calls = calls_of(methods);
-  std::vector<NativeLoop> loops;
-  for (const Call& call : calls) loops.push_back(call.loop);
-  for (const int percent : hit_shares) {
-    const std::vector<SegmentPair> pairs = random_pairs(timed_pairs, percent);
-    const std::vector<Timing> times = time_loops(loops, pairs, timed_pairs / 40, repetitions);
-    for (std::size_t i = 0; i < calls.size(); ++i) calls[i].row.times.push_back(times[i]);
-  }
-  std::vector<SpeedRow> rows;
-  for (Call& call : calls) {
-    if (call.row.call == set_up) call.row.times.resize(1);
-    rows.push_back(std::move(call.row));
-  }
+  std::vector<SpeedRow> rows = measure(methods, ProbeKind::segment, repetitions);
+  for (SpeedRow& row : measure(methods, ProbeKind::ray, repetitions)) rows.push_back(std::move(row));
   return rows;
 }
 
@@ -70,7 +89,10 @@ Json to_json(const std::vector<SpeedRow>& rows) {
   Json array = Json::array();
   for (const SpeedRow& r : rows) {
     for (std::size_t i = 0; i < r.times.size(); ++i) {
-      Json row = {{"method", r.method}, {"call", r.call}, {"nanoseconds", timing_json(r.times[i])}};
+      Json row = {{"method", r.method},
+                  {"probe", r.call == set_up ? Json() : Json(name_of(r.probe))},
+                  {"call", r.call},
+                  {"nanoseconds", timing_json(r.times[i])}};
       row["bytes"] = r.bytes == 0 ? Json() : Json(r.bytes);
       row["percent_hits"] = r.call == set_up ? Json() : Json(hit_shares[i]);
       array.push_back(row);
@@ -81,10 +103,10 @@ Json to_json(const std::vector<SpeedRow>& rows) {
 
 std::string to_table(const std::vector<SpeedRow>& rows) {
   std::string text =
-      "Time of a test by the share of hits: random segments and triangles, native loops, ns (quartiles); set-up: ns a "
-      "triangle\n";
+      "Time of a test by the share of hits: random segments or rays, and triangles, native loops, ns (quartiles); "
+      "set-up: ns a triangle\n";
   char line[200];
-  std::snprintf(line, sizeof line, "  %-22s %-9s %5s", "method", "call", "bytes");
+  std::snprintf(line, sizeof line, "  %-22s %-8s %-9s %5s", "method", "probe", "call", "bytes");
   text += line;
   for (const int percent : hit_shares) {
     std::snprintf(line, sizeof line, " %25s", (std::to_string(percent) + " % hits          ").c_str());
@@ -92,7 +114,8 @@ std::string to_table(const std::vector<SpeedRow>& rows) {
   }
   text += "\n";
   for (const SpeedRow& r : rows) {
-    std::snprintf(line, sizeof line, "  %-22s %-9s %5s", r.method.c_str(), r.call.c_str(),
+    std::snprintf(line, sizeof line, "  %-22s %-8s %-9s %5s", r.method.c_str(),
+                  r.call == set_up ? "" : name_of(r.probe), r.call.c_str(),
                   r.bytes == 0 ? "" : std::to_string(r.bytes).c_str());
     text += line;
     for (const Timing& t : r.times) text += " " + cell(t);

@@ -1,4 +1,4 @@
-// What a test costs, by the share of its pairs that hit, and by how it is called.
+// What a test of segments, and of rays, costs, by the share of its pairs that hit, and by how it is called.
 #pragma once
 
 #include <array>
@@ -17,13 +17,14 @@ inline constexpr std::array hit_shares = {0, 7, 50, 100};
 /// One way to call one test, timed on each of `hit_shares`.
 struct SpeedRow {
   std::string method;
-  std::string call;           ///< "single", "batch", "prepared"; or "set-up", a triangle
+  ProbeKind probe = ProbeKind::segment;
+  std::string call;           ///< "single", "batch", "prepared"; or "set-up", a triangle, which no probe changes
   std::size_t bytes = 0;      ///< kept of a triangle; 0: not known, or not kept
   std::vector<Timing> times;  ///< in the order of `hit_shares`; of set-up the first alone
 };
 
-/// Every call of every method, and of two tests that do nothing, interleaved: on the pairs that `./run bench predicate`
-/// takes, by the loops that `Method::native` has.
+/// Every call of every method, and of two tests that do nothing, interleaved, first about segments and then about rays:
+/// on the pairs that `./run bench predicate` takes, by the loops that `Method::native` and `native_rays` have.
 std::vector<SpeedRow> measure_speed(std::span<const Method> methods, int repetitions);
 
 Json to_json(const std::vector<SpeedRow>& rows);

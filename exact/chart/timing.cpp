@@ -94,8 +94,15 @@ std::vector<Timing> time_loops(std::span<const NativeLoop> loops, Pairs pairs, s
   return timings;
 }
 
-NativeLoop single_loop(const Method& method) {
-  if (method.native.single) return method.native.single;
+const NativeLoops& loops_of(const Method& method, ProbeKind kind) {
+  return kind == ProbeKind::segment ? method.native : method.native_rays;
+}
+
+NativeLoop single_loop(const Method& method, ProbeKind kind) {
+  if (const NativeLoop& own = loops_of(method, kind).single) return own;
+  if (kind == ProbeKind::ray) {
+    return native_ray_loops([&method](const Ray& r, const Triangle& t) { return method.ray(r, t).hit; }).single;
+  }
   return native_loops([&method](const Segment& s, const Triangle& t) { return method.segment(s, t).hit; }).single;
 }
 
@@ -105,8 +112,8 @@ NativeLoop set_up_loop(const Method& method) {
   };
 }
 
-NativeLoop prepared_loop(const Method& method) {
-  return [&method](Pairs pairs) { return method.native.prepared(pairs).ask; };
+NativeLoop prepared_loop(const Method& method, ProbeKind kind) {
+  return [loops = &loops_of(method, kind)](Pairs pairs) { return loops->prepared(pairs).ask; };
 }
 
 NativeLoop empty_loop() {

@@ -22,12 +22,17 @@ struct Timing {
 std::vector<Timing> time_loops(std::span<const NativeLoop> loops, std::span<const SegmentPair> pairs, std::size_t round,
                                int repetitions);
 
-/// The method's own loop of single tests, or one that calls its `segment` for each pair.
-NativeLoop single_loop(const Method& method);
+enum class ProbeKind : std::uint8_t { segment, ray };
+
+/// The method's loops of these probes.
+const NativeLoops& loops_of(const Method& method, ProbeKind kind);
+
+/// The method's own loop of single tests, or one that calls its `segment`, or its `ray`, for each pair.
+NativeLoop single_loop(const Method& method, ProbeKind kind = ProbeKind::segment);
 
 /// The part of `prepared` that prepares, and the part that asks. The method has both.
 NativeLoop set_up_loop(const Method& method);
-NativeLoop prepared_loop(const Method& method);
+NativeLoop prepared_loop(const Method& method, ProbeKind kind = ProbeKind::segment);
 
 /// What a clock shows of a test that does nothing: in a loop of its own, and as a C function, asked through a pointer
 /// as a plugin's is.

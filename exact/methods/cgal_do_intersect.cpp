@@ -64,6 +64,9 @@ Method cgal_epeck() {
   m.segment = ask_segment<CGAL::Exact_predicates_exact_constructions_kernel>;
   m.native = checked<CGAL::Exact_predicates_exact_constructions_kernel>();
   m.ray = ask_ray<CGAL::Exact_predicates_exact_constructions_kernel>;
+  m.native_rays = native_ray_loops([](const Ray& r, const Triangle& t) {
+    return ask_ray<CGAL::Exact_predicates_exact_constructions_kernel>(r, t).hit;
+  });
   return m;
 }
 

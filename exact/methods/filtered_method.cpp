@@ -26,7 +26,8 @@ std::optional<double> parameter_of(const Ray& r, const Triangle& t) {
   return rounded_parameter(r, t);
 }
 
-/// The pairs by columns, as the batch takes them.
+/// The pairs by columns, as the batch takes them: `Probes` are segments, or rays.
+template <class Probes>
 NativeRun batch_of(std::span<const SegmentPair> pairs) {
   std::array<std::vector<double>, 15> columns;
   for (const SegmentPair& pair : pairs) {
@@ -39,13 +40,19 @@ NativeRun batch_of(std::span<const SegmentPair> pairs) {
     const auto points = [&](std::size_t v) {
       return PointColumns{columns[3 * v], columns[3 * v + 1], columns[3 * v + 2]};
     };
-    hits(SegmentColumns{points(0), points(1)}, TriangleColumns{points(2), points(3), points(4)}, hit);
+    hits(Probes{points(0), points(1)}, TriangleColumns{points(2), points(3), points(4)}, hit);
   };
 }
 
 NativeLoops loops() {
   NativeLoops native = native_loops([](const Segment& s, const Triangle& t) { return hits(s, t); });
-  native.batch = batch_of;
+  native.batch = batch_of<SegmentColumns>;
+  return native;
+}
+
+NativeLoops ray_loops() {
+  NativeLoops native = native_ray_loops([](const Ray& r, const Triangle& t) { return hits(r, t); });
+  native.batch = batch_of<RayColumns>;
   return native;
 }
 
@@ -70,7 +77,8 @@ Method sf_filtered() {
       .parameter = parameter_of,
       .batch = [](std::span<const TrianglePair> pairs, std::span<Answer> answers) { intersect(pairs, answers); },
       .polygon = prepare,
-      .native = loops()};
+      .native = loops(),
+      .native_rays = ray_loops()};
 }
 
 }  // namespace tribunal

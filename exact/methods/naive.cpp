@@ -10,13 +10,17 @@ namespace {
 /// Inlined as a whole, as in a user's loop.
 template <class K>
 struct Inlined {
-  [[gnu::flatten]] bool operator()(const Segment& s, const Triangle& t) const { return segura_feito(s, t, K{}).hit; }
+  template <class P>
+  [[gnu::flatten]] bool operator()(const P& probe, const Triangle& t) const {
+    return segura_feito(probe, t, K{}).hit;
+  }
 };
 
 template <class K>
 Method naive(const KernelDescription& d) {
   Method m = segura_feito_method(d, K{});
   m.native = native_loops(Inlined<K>{});
+  m.native_rays = native_ray_loops(Inlined<K>{});
   return m;
 }
 

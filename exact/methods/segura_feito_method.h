@@ -38,7 +38,8 @@ Method segura_feito_method(const KernelDescription& d, const K& k) {
               },
           .compare_hits = [k](const Ray& r, const Triangle& s, const Triangle& t) { return k.compare_hits(r, s, t); },
           .polygon = [k](const Polygon& polygon) { return prepare(polygon, k); },
-          .native = native_loops([k](const Segment& s, const Triangle& t) { return segura_feito(s, t, k).hit; })};
+          .native = native_loops([k](const Segment& s, const Triangle& t) { return segura_feito(s, t, k).hit; }),
+          .native_rays = native_ray_loops([k](const Ray& r, const Triangle& t) { return segura_feito(r, t, k).hit; })};
 }
 
 }  // namespace tribunal

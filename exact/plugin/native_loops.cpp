@@ -6,7 +6,7 @@
 namespace tribunal {
 namespace {
 
-/// Pairs as a plugin takes them, and its answers as it gives them.
+/// Pairs as a plugin takes them, of segments or of rays, and its answers as it gives them.
 struct Rows {
   std::vector<Coordinates> queries{};
   std::vector<int> answers{};
@@ -20,27 +20,26 @@ struct Rows {
   }
 };
 
-NativeLoop one_by_one(tribunal_ask* ask, Format format) {
-  return [ask, format](std::span<const SegmentPair> pairs) -> NativeRun {
-    return [ask, rows = Rows(pairs, format)](std::span<std::uint8_t> hits, std::size_t step) {
-      visit_by_steps(hits.size(), step,
-                     [&](std::size_t i) { hits[i] = ask(TRIBUNAL_SEGMENT, rows.queries[i].data()) == 1; });
+NativeLoop one_by_one(tribunal_ask* ask, Format format, int kind) {
+  return [ask, format, kind](std::span<const SegmentPair> pairs) -> NativeRun {
+    return [ask, kind, rows = Rows(pairs, format)](std::span<std::uint8_t> hits, std::size_t step) {
+      visit_by_steps(hits.size(), step, [&](std::size_t i) { hits[i] = ask(kind, rows.queries[i].data()) == 1; });
     };
   };
 }
 
-NativeLoop at_once(tribunal_ask_batch* ask, Format format) {
-  return [ask, format](std::span<const SegmentPair> pairs) -> NativeRun {
+NativeLoop at_once(tribunal_ask_batch* ask, Format format, int kind) {
+  return [ask, format, kind](std::span<const SegmentPair> pairs) -> NativeRun {
     const auto rows = std::make_shared<Rows>(pairs, format);
-    return [ask, rows](std::span<std::uint8_t> hits, std::size_t) {
-      ask(TRIBUNAL_SEGMENT, hits.size(), rows->queries[0].data(), rows->answers.data());
+    return [ask, rows, kind](std::span<std::uint8_t> hits, std::size_t) {
+      ask(kind, hits.size(), rows->queries[0].data(), rows->answers.data());
       rows->write(hits);
     };
   };
 }
 
 /// Triangles that the plugin prepares one by one; it alone knows how many bytes it keeps.
-PreparedRun prepared_by(const Line& line, std::span<const SegmentPair> pairs) {
+PreparedRun prepared_by(const Line& line, std::span<const SegmentPair> pairs, int kind) {
   const auto rows = std::make_shared<Rows>(pairs, line.format);
   const auto prepared = std::make_shared<std::vector<std::shared_ptr<const PreparedCalls>>>(pairs.size());
   const auto set_up = [line, rows, prepared] {
@@ -48,20 +47,19 @@ PreparedRun prepared_by(const Line& line, std::span<const SegmentPair> pairs) {
       (*prepared)[i] = line.calls->prepare(rows->queries[i].data() + 6);
   };
   set_up();
-  return {.set_up = set_up, .ask = [rows, prepared](std::span<std::uint8_t> hits, std::size_t step) {
-            visit_by_steps(hits.size(), step, [&](std::size_t i) {
-              hits[i] = (*prepared)[i]->ask(TRIBUNAL_SEGMENT, rows->queries[i].data()) == 1;
-            });
+  return {.set_up = set_up, .ask = [rows, prepared, kind](std::span<std::uint8_t> hits, std::size_t step) {
+            visit_by_steps(hits.size(), step,
+                           [&](std::size_t i) { hits[i] = (*prepared)[i]->ask(kind, rows->queries[i].data()) == 1; });
           }};
 }
 
 }  // namespace
 
-NativeLoops native_loops_of(const tribunal_plugin& plugin, const Line& line) {
-  NativeLoops native{.single = one_by_one(plugin.ask, line.format)};
-  if (plugin.ask_batch != nullptr) native.batch = at_once(plugin.ask_batch, line.format);
+NativeLoops native_loops_of(const tribunal_plugin& plugin, const Line& line, int kind) {
+  NativeLoops native{.single = one_by_one(plugin.ask, line.format, kind)};
+  if (plugin.ask_batch != nullptr) native.batch = at_once(plugin.ask_batch, line.format, kind);
   if (plugin.prepare == nullptr) return native;
-  native.prepared = [line](std::span<const SegmentPair> pairs) { return prepared_by(line, pairs); };
+  native.prepared = [line, kind](std::span<const SegmentPair> pairs) { return prepared_by(line, pairs, kind); };
   return native;
 }
 

@@ -273,7 +273,8 @@ void add_triangles(Method& method, const tribunal_plugin& plugin, const Line& li
     method.within = [caller](const Ray& r, const Bounds& b, const Triangle& t) { return caller.ask_within(r, b, t); };
   }
   add_batches(method, caller, plugin, line.calls->isolated());
-  method.native = native_loops_of(plugin, line);
+  method.native = native_loops_of(plugin, line, TRIBUNAL_SEGMENT);
+  method.native_rays = native_loops_of(plugin, line, TRIBUNAL_RAY);
   if (plugin.tells_t != 0) {
     method.parameter = [caller](const Ray& r, const Triangle& t) { return caller.parameter(r, t); };
   }

@@ -64,12 +64,14 @@ bool one_faces(const std::vector<Method>& methods) {
 }
 
 Truth truth_in(const FuzzPlan& plan, std::size_t stream, std::uint64_t k, const Trial& trial, Worker& worker) {
-  if (plan.quick == nullptr) return truth_of(trial, k);
+  if (plan.operands() == Operands::polygons) return truth_of(trial, k);
   if (is_audited(plan.seed, stream, k)) {
     ++worker.audited;
-    return audited_truth(trial, plan.quick);
+    return plan.quick ? audited_truth(trial, plan.quick) : audited_by_oracles(trial, plan.formulations);
   }
-  return one_faces(plan.methods) ? quick_truth_with_facing(trial, plan.quick) : quick_truth(trial, plan.quick);
+  const bool needs_facing = one_faces(plan.methods);
+  if (plan.quick == nullptr) return formulated_truth(trial, k, needs_facing, plan.formulations);
+  return needs_facing ? quick_truth_with_facing(trial, plan.quick) : quick_truth(trial, plan.quick);
 }
 
 /// Where a ray hits, for the share of the cases of which that is measured.

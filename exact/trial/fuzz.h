@@ -10,6 +10,7 @@
 #include "exact/base/fault.h"
 #include "exact/cases/families/family.h"
 #include "exact/trial/count_table.h"
+#include "exact/trial/formulations.h"
 #include "exact/trial/quick_truth.h"
 #include "exact/trial/ulps.h"
 
@@ -43,8 +44,8 @@ struct FuzzPlan {
   double seconds = 0;       ///< if > 0, stop after that time instead; `cases` is then a ceiling
   unsigned threads = 1;
   bool until_first = false;    ///< stop soon after the first finding, and keep that one alone
-  ClassBy quick = nullptr;     ///< of triangles: judges all cases, of which the oracles audit a share; if none, the
-                               ///< oracles judge them all
+  ClassBy quick = nullptr;                       ///< of triangles: judges all cases; if none, `formulations` do
+  TruthBy formulations = truth_by_formulations;  ///< of triangles
   std::string label = "fuzz";  ///< of the line of progress
   std::function<void(unsigned worker, const JudgedAnswer&)> watch{};  ///< told of every answer, in no order
 
@@ -75,7 +76,7 @@ struct Finding {
 struct FuzzReport {
   std::uint64_t cases = 0;     ///< from the plan's first
   std::uint64_t run_here = 0;  ///< of these, in this run
-  std::uint64_t audited = 0;   ///< of all, judged by `quick` and by the oracles, which agreed
+  std::uint64_t audited = 0;   ///< of all, of triangles, judged by all oracles too, which agreed
   double seconds = 0;          ///< of this run
   CountTable counts;
   std::vector<HitErrors> errors;  ///< of numbers given with right hits, by method × stream; of one case in
