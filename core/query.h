@@ -13,6 +13,11 @@ namespace tribunal {
 
 using Target = std::variant<Triangle, PolygonData>;
 
+/// The kinds of probe, in the order of `Probe`.
+enum class ProbeKind : std::uint8_t { segment, ray };
+
+constexpr std::string_view name_of(ProbeKind kind) { return kind == ProbeKind::segment ? "segment" : "ray"; }
+
 /// The kinds of target, in the order of `Target`.
 enum class Operands : std::uint8_t { triangles, polygons };
 

@@ -66,8 +66,6 @@ std::vector<SpeedRow> measure(std::span<const Method> methods, ProbeKind kind, i
   return rows;
 }
 
-const char* name_of(ProbeKind kind) { return kind == ProbeKind::segment ? "segment" : "ray"; }
-
 std::string cell(const Timing& t) {
   char text[48];
   std::snprintf(
@@ -115,7 +113,7 @@ std::string to_table(const std::vector<SpeedRow>& rows) {
   text += "\n";
   for (const SpeedRow& r : rows) {
     std::snprintf(line, sizeof line, "  %-22s %-8s %-9s %5s", r.method.c_str(),
-                  r.call == set_up ? "" : name_of(r.probe), r.call.c_str(),
+                  r.call == set_up ? "" : name_of(r.probe).data(), r.call.c_str(),
                   r.bytes == 0 ? "" : std::to_string(r.bytes).c_str());
     text += line;
     for (const Timing& t : r.times) text += " " + cell(t);

@@ -22,8 +22,6 @@ struct Timing {
 std::vector<Timing> time_loops(std::span<const NativeLoop> loops, std::span<const SegmentPair> pairs, std::size_t round,
                                int repetitions);
 
-enum class ProbeKind : std::uint8_t { segment, ray };
-
 /// The method's loops of these probes.
 const NativeLoops& loops_of(const Method& method, ProbeKind kind);
 

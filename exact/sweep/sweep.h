@@ -20,10 +20,6 @@ struct SweepPlan {
   unsigned threads = 1;
 };
 
-enum class ProbeKind : std::uint8_t { segment, ray };
-
-constexpr std::string_view name_of(ProbeKind p) { return p == ProbeKind::segment ? "segment" : "ray"; }
-
 /// Where on the sweep an answer belongs: indices into the plan. Formats and kinds of probe are never added up.
 struct SweepPlace {
   std::size_t method = 0, axis = 0;
