@@ -144,9 +144,18 @@ def earliest(marks, side):
     return min(marks, key=abs) if not marks else (min(marks) if side == "up" else max(marks))
 
 
+def failing_spans(record, axis, fmt, method, probe, first, side):
+    """From each value outward of the first at which something fails, to the next value."""
+    fails = {r["value"] for r in record["rows"] if r["axis"] == axis["name"] and r["fmt"] == fmt and
+             r["method"] == method and r["probe"] == probe and (r["wrong"]["k"] or r["refused"])}
+    values = axis["values"][fmt] if side == "up" else axis["values"][fmt][::-1]
+    values = values[values.index(first):]
+    return [(a, b) for a, b in zip(values, values[1:]) if a in fails]
+
+
 def thresholds_figure(record):
-    """An axis a row, a format a column: for each method a bar from the first failure on, dark where some outcome is all
-    that is left."""
+    """An axis a row, a format a column: for each method a bar where something fails, dark where some outcome is all that
+    is left."""
     axes_shown = [a for a in record["axes"] if any(r["axis"] == a["name"] for r in record["rows"])]
     formats = [f for f in FORMATS if any(r["fmt"] == f for r in record["rows"])]
     asked = {a["name"]: [m["name"] for m in record["methods"]
@@ -184,7 +193,8 @@ def thresholds_figure(record):
                             continue
                         end = max(values) if side == "up" else min(values)
                         first = earliest([t["first"]["value"] for t in own], side)
-                        ax.plot([first, end], [y + offset] * 2, color="#F0A070", lw=3.4, solid_capstyle="butt")
+                        for a, b in failing_spans(record, axis, fmt, method, probe, first, side):
+                            ax.plot([a, b], [y + offset] * 2, color="#F0A070", lw=3.4, solid_capstyle="butt")
                         ax.plot([first], [y + offset], "|", color=INK, ms=5, mew=1.2)
                         full = [t["all"]["value"] for t in own if t["all"]]
                         if full:

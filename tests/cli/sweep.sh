@@ -7,7 +7,7 @@ cd "$scratch"
 expect 0 sweep --method mt-float,sf-double,sf-filtered --axis scale,ulps --count 328 --threads 2 --out run
 says out 'sf-filtered: nothing wrong of'
 says out 'scale +'
-says out 'none at'
+says out ': none (<= '
 lacks err 'tribunal'
 for file in sweep.json sweep.csv witnesses.jsonl thresholds.svg thresholds.png axis-scale.svg axis-ulps.png; do
   [ -s "run/$file" ] || { echo "no run/$file" >&2; exit 1; }
