@@ -180,7 +180,7 @@ TEST(OwnFamily, EveryMutationChangesSomething) {
   }
 }
 
-/// From a probe that goes through the wall and one that lies in its plane beside it, in a few hundred changes.
+/// One snap cannot turn a probe that crosses the wall into its plane; an aim along an edge does.
 TEST(OwnFamily, SnapsAndAimsProbesAtVerticesEdgesAndFaces) {
   for (const std::size_t index : {std::size_t{2}, std::size_t{4}}) {
     std::map<Contact, int> met;
@@ -191,6 +191,7 @@ TEST(OwnFamily, SnapsAndAimsProbesAtVerticesEdgesAndFaces) {
       ++met[flagship_method().ask(query).contact];
     }
     for (const Contact c : {Contact::none, Contact::interior, Contact::edge, Contact::vertex, Contact::coplanar}) {
+      if (c == Contact::coplanar && index == 2) continue;
       EXPECT_GE(met[c], 5) << mutations()[index].name << ": " << name_of(c);
     }
   }
