@@ -181,11 +181,10 @@ void log_errors(ChainedLog& log, const FuzzPlan& plan, const FuzzReport& report)
   }
 }
 
-/// Those of the cases that have these operands and this format.
+/// Those of the cases that have these operands and this format. Adds to `wrong` what was answered wrongly.
 void log_some(ChainedLog& log, const Method& method, const std::vector<Case>& cases, const std::vector<Truth>& truths,
-              const Given& all_given, Operands operands, Format format) {
+              const Given& all_given, Operands operands, Format format, std::vector<Case>& wrong) {
   SampleRow row{.method = method.name, .family = own_cases, .format = format};
-  std::vector<Case> wrong;
   HitErrors errors;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     if (cases[i].format != format || cases[i].query.operands() != operands) continue;
@@ -216,8 +215,6 @@ void log_some(ChainedLog& log, const Method& method, const std::vector<Case>& ca
   log.add(with_operands(stream, operands));
   log.add(to_record(row));
   if (errors.hits > 0) log.add(errors_record(row.method, row.family, format, errors));
-  sort_by_rank(wrong);
-  for (const Case& c : wrong) log_counterexample(log, c);
 }
 
 }  // namespace
@@ -260,11 +257,14 @@ void log_plan(ChainedLog& log, const Method& method, Operands operands, const st
 
 void log_own_cases(ChainedLog& log, const Method& method, const std::vector<Case>& cases,
                    const std::vector<Truth>& truths, const Given& given) {
+  std::vector<Case> wrong;
   for (const Operands operands : {Operands::triangles, Operands::polygons}) {
     for (const Format format : {Format::binary64, Format::binary32}) {
-      log_some(log, method, cases, truths, given, operands, format);
+      log_some(log, method, cases, truths, given, operands, format, wrong);
     }
   }
+  sort_by_rank(wrong);
+  for (const Case& c : wrong) log_counterexample(log, c);
 }
 
 ChainedLog certify(const CertifyPlan& plan) {
