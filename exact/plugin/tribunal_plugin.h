@@ -86,9 +86,9 @@ typedef void tribunal_ask_batch(int probe, size_t n, const double* queries, int*
 
 /* What is known of a hit beside that it is one (version 2). */
 typedef struct tribunal_hit {
-  int contact; /* TRIBUNAL_CONTACT_… */
-  int has_t;   /* whether t is given */
-  double t;    /* the point p + t*(q - p), or o + t*d */
+  int contact;     /* TRIBUNAL_CONTACT_… */
+  int has_t;       /* whether t is given */
+  double t;        /* the point p + t*(q - p), or o + t*d */
   int has_weights; /* whether the next two are given, beside t */
   double weight_b; /* the point a + weight_b*(b - a) + weight_c*(c - a) */
   double weight_c;
