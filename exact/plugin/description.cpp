@@ -142,6 +142,14 @@ tribunal_plugin in_this_version(const tribunal_plugin& plugin, const std::string
   return whole;
 }
 
+tribunal_mesh_plugin in_this_version(const tribunal_mesh_plugin& meshes, const std::string& file) {
+  require_version(meshes.abi, file);
+  if (meshes.abi > 2) return meshes;
+  tribunal_mesh_plugin whole{};
+  std::memcpy(&whole, &meshes, offsetof(tribunal_mesh_plugin, closest_normal));
+  return whole;
+}
+
 Method described(const tribunal_plugin& plugin, const std::string& file) {
   const std::string name = name_from(plugin.name, file);
   Contract contract{.format = format_from(plugin.format, file)};
