@@ -25,8 +25,9 @@
 extern "C" {
 #endif
 
-/* Version of this interface; grows when it changes. Libraries built for version 1 or 2 are loaded: what a later version
- * added comes last in each struct, and zero there means what the earlier one meant. Any other version is refused. */
+/* Version of this interface; grows when it changes. Libraries built for earlier versions are loaded: what a later
+ * version added comes last in each struct, and zero there means what the version before meant. Any other version is
+ * refused. */
 #define TRIBUNAL_PLUGIN_ABI 3
 
 /* The probe that a query holds. */
@@ -84,7 +85,8 @@ typedef int tribunal_ask(int probe, const double query[15]);
 /* n queries with probes of one kind, the i-th at queries + 15*i, each answered in answers[i]. */
 typedef void tribunal_ask_batch(int probe, size_t n, const double* queries, int* answers);
 
-/* From which side a hit crosses the triangle (version 3). FRONT: a, b, c run counterclockwise as seen from p or o. */
+/* From which side a hit crosses the triangle, or a face of a mesh (version 3). FRONT: its vertices run counterclockwise
+ * as seen from p or o. */
 enum { TRIBUNAL_SIDE_UNSAID = 0, TRIBUNAL_SIDE_FRONT = 1, TRIBUNAL_SIDE_BACK = 2 };
 
 /* What is known of a hit beside that it is one (version 2). */
@@ -196,9 +198,6 @@ typedef struct tribunal_mesh_hit {
 
 /* The i-th ray is at rays + 6*i. The closest hit; where several faces are hit at one t, any of them. */
 typedef void tribunal_mesh_closest(const void* mesh, size_t n, const double* rays, tribunal_mesh_hit* hits);
-
-/* Which side of a face is seen (version 3). FRONT: that from which its vertices run counterclockwise. */
-enum { TRIBUNAL_SIDE_UNSAID = 0, TRIBUNAL_SIDE_FRONT = 1, TRIBUNAL_SIDE_BACK = 2 };
 
 /* Where normals point (version 3). BY_VERTICES: as (b - a) x (c - a), whichever side is seen. TOWARDS_SOURCE: to the
  * side from which the ray comes. */
