@@ -239,7 +239,7 @@ bool takes_all_relations(const Certificate& c) {
   const Contract& k = c.contract;
   if (!k.probes.segments || !k.probes.rays) return false;
   if (c.operands() == Operands::polygons) return promises_all_polygons(k);
-  return reads_point_sets(k) && k.triangles == Triangles::any;
+  return reads_point_sets(k) && k.triangles == Triangles::any && k.probes.bounds;
 }
 
 /// Relations that nothing was asked of, in either format and with either probe.

@@ -94,8 +94,8 @@ typedef struct tribunal_hit {
   int contact;     /* TRIBUNAL_CONTACT_… */
   int has_t;       /* whether t is given */
   double t;        /* the point p + t*(q - p), or o + t*d */
-  int side;        /* TRIBUNAL_SIDE_… (version 3, as all that follows) */
-  int has_weights; /* whether the next two are given, beside t */
+  int side;        /* TRIBUNAL_SIDE_… (version 3) */
+  int has_weights; /* whether the next two are given, beside t (version 3) */
   double weight_b; /* the point a + weight_b*(b - a) + weight_c*(c - a) */
   double weight_c;
 } tribunal_hit;

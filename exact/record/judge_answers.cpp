@@ -87,16 +87,6 @@ Contact contact_at(const Json& object, const Where& where) {
                             "\"");
 }
 
-/// Unsaid unless the line says it.
-Facing side_at(const Json& object, const Where& where) {
-  if (!object.contains("side")) return Facing::unsaid;
-  const std::string name = text_at(object, "side", where);
-  for (const Facing f : {Facing::front, Facing::back}) {
-    if (name == name_of(f)) return f;
-  }
-  where.key("side").fail("expected \"front\" or \"back\" of a hit, found \"" + name + "\"");
-}
-
 /// A number as cases have them, or one that is none: a method may have computed it.
 double number_at(const Json& value, const Where& where) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -121,12 +111,22 @@ std::optional<HitAt> numbers_at(const Json& object, const Where& where) {
   return at;
 }
 
+/// Unsaid unless the line says it.
+Facing side_at(const Json& object, const Where& where) {
+  if (!object.contains("side")) return Facing::unsaid;
+  const std::string name = text_at(object, "side", where);
+  for (const Facing f : {Facing::front, Facing::back}) {
+    if (name == name_of(f)) return f;
+  }
+  where.key("side").fail("expected \"front\" or \"back\" of a hit, found \"" + name + "\"");
+}
+
 /// Keys that this program writes into answers but does not judge are allowed.
 Answer to_answer(const Json& object, const Where& where) {
-  require_keys(
-      object,
-      {"id", "method", "hit", "status", "class", "contact", "at", "side", "stage", "planar", "fault", "detail", "t", "weights"},
-      where);
+  require_keys(object,
+               {"id", "method", "hit", "status", "class", "contact", "at", "side", "stage", "planar", "fault", "detail",
+                "t", "weights"},
+               where);
   const Status status = status_at(object, where);
   if (status != Status::ok) {
     if (object.contains("hit")) where.key("hit").fail("given with a status that is not \"ok\"");

@@ -130,7 +130,7 @@ cat >numbers.jsonl <<'ANSWERS'
 ANSWERS
 expect 0 judge --cases rays.jsonl --answers numbers.jsonl --out numbers
 says out 'ulps     t, binary64: half within 0, 99 % within 2, at most 2 ulps (case 1), of 2; the most in your own cases'
-says out 'weights, binary64: half within 0, 99 % within 9.01e+15'
+says out 'weights, binary64: half within 0, 99 % within 4.5e+15'
 expect 0 verify numbers
 sed 's/,"t":3,/,/' numbers.jsonl >no-t.jsonl
 expect 3 judge --cases rays.jsonl --answers no-t.jsonl && says err 'given without "t"'
