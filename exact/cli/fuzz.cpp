@@ -121,9 +121,8 @@ std::string verdicts(const FuzzPlan& plan, const FuzzReport& report) {
 std::string judged_by(const FuzzPlan& plan, const FuzzReport& report) {
   const std::string oracles = oracles_of(plan.operands());
   if (plan.operands() == Operands::polygons) return oracles;
-  const std::string known = "construction where a family knows the class, else by ";
-  if (plan.quick == nullptr) return known + oracles;
-  return known + "signs certified one way; " + std::to_string(report.audited) +
+  const std::string by = plan.quick ? "signs certified one way" : formulations_in_words();
+  return "construction where a family knows the class, else by " + by + "; " + std::to_string(report.audited) +
          " cases, drawn by a hash, also by all of: " + oracles + "; all agreed";
 }
 

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <utility>
 
 #include "core/operands.h"
 #include "core/sign.h"
@@ -21,20 +22,32 @@ struct Generators {
   static constexpr bool is_point(int i) { return i < points; }
 };
 
+/// A number type may grow with what is computed: a difference of two N need not be one.
+template <class N>
+using DifferenceOf = decltype(std::declval<const N&>() - std::declval<const N&>());
+
+namespace caratheodory_detail {
+
+template <class N>
+Vec3<DifferenceOf<N>> difference(const Point3& x, const Point3& y) {
+  const Vec3<N> u = lift<N>(x), v = lift<N>(y);
+  return {u.x - v.x, u.y - v.y, u.z - v.z};
+}
+
+}  // namespace caratheodory_detail
+
 /// T − S for a segment: all six differences are points.
 template <class N>
-Generators<N, 6, 6> differences(const Segment& s, const Triangle& t) {
-  const Vec3<N> p = lift<N>(s.p), q = lift<N>(s.q);
-  const Vec3<N> a = lift<N>(t.a), b = lift<N>(t.b), c = lift<N>(t.c);
-  return {{a - p, b - p, c - p, a - q, b - q, c - q}};
+Generators<DifferenceOf<N>, 6, 6> differences(const Segment& s, const Triangle& t) {
+  const auto minus = caratheodory_detail::difference<N>;
+  return {{minus(t.a, s.p), minus(t.b, s.p), minus(t.c, s.p), minus(t.a, s.q), minus(t.b, s.q), minus(t.c, s.q)}};
 }
 
 /// T − o + cone(−d) for a ray.
 template <class N>
-Generators<N, 3, 4> differences(const Ray& r, const Triangle& t) {
-  const Vec3<N> o = lift<N>(r.o), d = lift<N>(r.d.v);
-  const Vec3<N> zero = o - o;
-  return {{lift<N>(t.a) - o, lift<N>(t.b) - o, lift<N>(t.c) - o, zero - d}};
+Generators<DifferenceOf<N>, 3, 4> differences(const Ray& r, const Triangle& t) {
+  const auto minus = caratheodory_detail::difference<N>;
+  return {{minus(t.a, r.o), minus(t.b, r.o), minus(t.c, r.o), minus(Point3(0), r.d.v)}};
 }
 
 namespace caratheodory_detail {
@@ -64,9 +77,12 @@ class Dependencies {
       coordinates_[j] = signs(g.w[j]);
       for (int k = j + 1; k < size; ++k) {
         const Vec3<N>&u = g.w[j], &v = g.w[k];
-        const Vec3<N> x{N(u.y * v.z - u.z * v.y), N(u.z * v.x - u.x * v.z), N(u.x * v.y - u.y * v.x)};
+        const Vec3<Minor> x{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
         cross_[j][k] = signs(x);
-        for (int i = 0; i < j; ++i) det_[i][j][k] = sign_of(N(g.w[i].x * x.x + g.w[i].y * x.y + g.w[i].z * x.z));
+        for (int i = 0; i < j; ++i) {
+          const Volume det = g.w[i].x * x.x + g.w[i].y * x.y + g.w[i].z * x.z;
+          det_[i][j][k] = sign_of(det);
+        }
       }
     }
   }
@@ -109,11 +125,17 @@ class Dependencies {
   }
 
  private:
+  using Minor = DifferenceOf<decltype(std::declval<const N&>() * std::declval<const N&>())>;
+  using Term = decltype(std::declval<const N&>() * std::declval<const Minor&>());
+  using Volume = decltype(std::declval<const Term&>() + std::declval<const Term&>() + std::declval<const Term&>());
   using Signs = std::array<Sign, 3>;
   static constexpr Signs none{Sign::zero, Sign::zero, Sign::zero};
 
   static constexpr bool is_point(int i) { return Generators<N, points, size>::is_point(i); }
-  static Signs signs(const Vec3<N>& u) { return {sign_of(u.x), sign_of(u.y), sign_of(u.z)}; }
+  template <class M>
+  static Signs signs(const Vec3<M>& u) {
+    return {sign_of(u.x), sign_of(u.y), sign_of(u.z)};
+  }
 
   Signs coordinates_[size];
   Signs cross_[size][size];

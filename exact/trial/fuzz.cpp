@@ -57,12 +57,14 @@ bool one_culls(const std::vector<Method>& methods) {
 }
 
 Truth truth_in(const FuzzPlan& plan, std::size_t stream, std::uint64_t k, const Trial& trial, Worker& worker) {
-  if (plan.quick == nullptr) return truth_of(trial, k);
+  if (plan.operands() == Operands::polygons) return truth_of(trial, k);
   if (is_audited(plan.seed, stream, k)) {
     ++worker.audited;
-    return audited_truth(trial, plan.quick);
+    return plan.quick ? audited_truth(trial, plan.quick) : audited_by_oracles(trial, plan.formulations);
   }
-  return one_culls(plan.methods) ? quick_truth_with_facing(trial, plan.quick) : quick_truth(trial, plan.quick);
+  const bool needs_facing = one_culls(plan.methods);
+  if (plan.quick == nullptr) return formulated_truth(trial, k, needs_facing, plan.formulations);
+  return needs_facing ? quick_truth_with_facing(trial, plan.quick) : quick_truth(trial, plan.quick);
 }
 
 void make_chunk(const FuzzPlan& plan, std::size_t stream, std::uint64_t first_k, std::uint64_t end_k, Worker& worker) {

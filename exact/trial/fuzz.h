@@ -10,6 +10,7 @@
 #include "exact/base/fault.h"
 #include "exact/cases/families/family.h"
 #include "exact/trial/count_table.h"
+#include "exact/trial/formulations.h"
 #include "exact/trial/quick_truth.h"
 
 namespace tribunal {
@@ -41,10 +42,10 @@ struct FuzzPlan {
   std::uint64_t cases = 0;  ///< in all, dealt to the streams in turn
   double seconds = 0;       ///< if > 0, stop after that time instead; `cases` is then a ceiling
   unsigned threads = 1;
-  ClassBy quick = nullptr;     ///< of triangles: judges all cases, of which the oracles audit a share; if none, the
-                               ///< oracles judge them all
+  ClassBy quick = nullptr;     ///< of triangles: judges all cases; if none, `formulations` do
   std::string label = "fuzz";  ///< of the line of progress
   std::function<void(unsigned worker, const JudgedAnswer&)> watch{};  ///< told of every answer, in no order
+  TruthBy formulations = truth_by_formulations;                       ///< of triangles
 
   Operands operands() const { return streams.front().family->operands; }
 };
@@ -70,7 +71,7 @@ struct Finding {
 struct FuzzReport {
   std::uint64_t cases = 0;     ///< from the plan's first
   std::uint64_t run_here = 0;  ///< of these, in this run
-  std::uint64_t audited = 0;   ///< of all, judged by `quick` and by the oracles, which agreed
+  std::uint64_t audited = 0;   ///< of all, of triangles, judged by all oracles too, which agreed
   double seconds = 0;          ///< of this run
   CountTable counts;
   std::vector<Finding> findings;  ///< the first of each method × stream × slot × fault × outcome × severity, by case

@@ -17,6 +17,13 @@ bool fits(const Construction& made, const Truth& truth) {
   return on_a_line || truth.contact == (is_vertex(made.place) ? Contact::vertex : Contact::edge);
 }
 
+}  // namespace
+
+void contradiction(const Query& query, const std::string& one, const std::string& other) {
+  throw Failure(Exit::oracles_contradict,
+                "oracles contradict each other: " + one + ", " + other + ", on " + case_line("contradiction", query));
+}
+
 void require_fit(const Trial& trial, const Truth& truth) {
   if (trial.class_id != 0 && trial.class_id != truth.class_id) {
     contradiction(trial.query, "construction says " + class_name(trial.class_id),
@@ -26,13 +33,6 @@ void require_fit(const Trial& trial, const Truth& truth) {
     contradiction(trial.query, "constructed as " + std::string(name_of(trial.construction->place)),
                   "the oracles say " + std::string(name_of(truth.contact)));
   }
-}
-
-}  // namespace
-
-void contradiction(const Query& query, const std::string& one, const std::string& other) {
-  throw Failure(Exit::oracles_contradict,
-                "oracles contradict each other: " + one + ", " + other + ", on " + case_line("contradiction", query));
 }
 
 Truth truth_of_class(ClassId id) {
@@ -57,10 +57,17 @@ Truth truth_of(const Trial& trial, std::uint64_t k) {
 }
 
 const char* oracle_of(const Family& family) {
-  if (!family.constructs) return oracles_of(family.operands);
-  return family.operands == Operands::triangles
-             ? "construction, 1 case in 257 also by the other oracles"
-             : "construction, rational kernel, point in rings twice, covering surface, Caratheodory";
+  if (family.operands == Operands::triangles) {
+    return family.constructs
+               ? "construction, 1 case in 257 also by class table, Segura-Feito and Caratheodory on "
+                 "integers of fixed width, or GMP's; 1 in 256, drawn by a hash, by class table, rational "
+                 "kernel, Caratheodory, CGAL where defined"
+               : "class table, Segura-Feito and Caratheodory on integers of fixed width, or GMP's; 1 case "
+                 "in 256, drawn by a hash, by class table, rational kernel, Caratheodory, CGAL where "
+                 "defined";
+  }
+  return family.constructs ? "construction, rational kernel, point in rings twice, covering surface, Caratheodory"
+                           : oracles_of(family.operands);
 }
 
 const char* oracles_of(Operands operands) {

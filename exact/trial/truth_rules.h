@@ -22,6 +22,9 @@ Truth exact_truth_of_triangle(const Query& query);
 /// The target must be a polygon.
 Truth exact_truth_of_polygon(const Query& query);
 
+/// Ends the run unless the truth is what the construction proves.
+void require_fit(const Trial& trial, const Truth& truth);
+
 /// Ends the run with both witnesses and the query.
 [[noreturn]] void contradiction(const Query& query, const std::string& one, const std::string& other);
 

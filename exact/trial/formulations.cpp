@@ -1,0 +1,35 @@
+#include "exact/trial/formulations.h"
+
+#include "exact/classes/class_table.h"
+#include "exact/trial/formulations_on.h"
+
+namespace tribunal {
+
+Truth truth_by_formulations(const Query& query) { return truth_by_formulations_on<BoundedInteger>(query); }
+
+const char* formulations_in_words() {
+  return "class table, Segura-Feito and Caratheodory on integers of fixed width, or GMP's where those do not hold the "
+         "operands";
+}
+
+Truth formulated_truth(const Trial& trial, std::uint64_t k, bool needs_facing, TruthBy formulations) {
+  if (trial.class_id != 0 && k % 257 != 0) {
+    return needs_facing ? truth_in_class(trial.class_id, trial.query) : truth_of_class(trial.class_id);
+  }
+  const Truth truth = formulations(trial.query);
+  require_fit(trial, truth);
+  return truth;
+}
+
+Truth audited_by_oracles(const Trial& trial, TruthBy formulations) {
+  const Truth truth = exact_truth(trial.query);
+  require_fit(trial, truth);
+  const Truth quick = formulations(trial.query);
+  if (quick.class_id != truth.class_id || quick.facing != truth.facing) {
+    contradiction(trial.query, "on integers the class is " + class_name(quick.class_id),
+                  "the oracles say " + class_name(truth.class_id));
+  }
+  return truth;
+}
+
+}  // namespace tribunal
