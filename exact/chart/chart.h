@@ -28,7 +28,8 @@ struct ChartRow {
   Timing time;
 };
 
-/// One method at one level of the affine family: images of degenerate cases by maps with entries of `bits` bits.
+/// One method at one value of the sweep's axis of mantissa fill: images of degenerate cases by maps with entries of
+/// `bits` bits.
 struct OnsetRow {
   std::size_t method;
   Format format;

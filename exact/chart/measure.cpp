@@ -5,6 +5,7 @@
 #include "exact/base/interrupt.h"
 #include "exact/chart/chart.h"
 #include "exact/classes/class_table.h"
+#include "exact/sweep/sweep.h"
 
 namespace tribunal {
 namespace {
@@ -12,8 +13,8 @@ namespace {
 /// Cases timed, of those judged: a multiple of the 163 classes that fits a second-level cache.
 constexpr std::uint64_t most_timed_cases = class_count * 50;
 
-/// A multiple of 7 and 8 rounds of the classes, so that every level of both formats gets its equal share.
-constexpr std::uint64_t onset_cases = class_count * 56 * 4;
+/// At each length of the entries: whole rounds of the classes of segments and rays.
+constexpr std::uint64_t onset_cases = all_class_count * 14;
 
 void end_if_interrupted() {
   if (interrupted() != 0) throw Failure(static_cast<Exit>(128 + interrupted()), "interrupted; no chart written");
@@ -93,20 +94,15 @@ void measure_populations(const ChartPlan& plan, Chart& chart) {
   }
 }
 
+/// The segments of the sweep along the axis of mantissa fill.
 void measure_onset(const ChartPlan& plan, Chart& chart) {
-  const Family affine = segments_of("affine");
-  FuzzPlan judging;
-  const FuzzReport report =
-      judged(plan, {{&affine, Format::binary32}, {&affine, Format::binary64}}, onset_cases, judging);
-  std::map<std::tuple<std::size_t, std::size_t, std::size_t>, Count> levels;
-  report.counts.for_each([&](const Cell& c, const Count& count) {
-    if (count.asked > 0) levels[{c.method, c.stream, c.level}] += count;
-  });
-  for (const auto& [key, count] : levels) {
-    const auto& [method, stream, level] = key;
-    const Format format = judging.streams[stream].format;
-    const bool drawn = plan.methods[method].contract.format == format;
-    chart.onset.push_back({method, format, drawn, affine.levels(format)[level], count});
+  static const StressAxis fill = fill_axis();
+  const SweepPlan sweeping{
+      .methods = plan.methods, .axes = {&fill}, .seed = plan.seed, .cases = onset_cases, .threads = plan.threads};
+  for (const auto& [place, c] : sweep(sweeping).counts) {
+    if (place.probe != ProbeKind::segment) continue;
+    const bool drawn = plan.methods[place.method].contract.format == place.format;
+    chart.onset.push_back({place.method, place.format, drawn, place.value, c.count});
   }
 }
 

@@ -26,7 +26,7 @@ struct Options {
   double seconds = 0;
   unsigned threads = 1;
   std::size_t keep = 20;
-  bool levels = false, relations = false, resume = false;
+  bool relations = false, resume = false;
 };
 
 std::uint64_t cases_of(const Options& o) {
@@ -46,16 +46,14 @@ FuzzPlan plan_of(const Options& o, std::vector<Stream> streams) {
 }
 
 struct Row {
-  std::size_t method, stream, level;
+  std::size_t method, stream;
   auto operator<=>(const Row&) const = default;
 };
 
-/// By method × stream, and level if asked for.
-std::map<Row, Count> rows_of(const FuzzReport& report, bool levels) {
+/// By method × stream; what becomes of answers along an axis is the business of a sweep.
+std::map<Row, Count> rows_of(const FuzzReport& report) {
   std::map<Row, Count> rows;
-  report.counts.for_each([&](const Cell& c, const Count& count) {
-    rows[{c.method, c.stream, levels ? c.level : 0}] += count;
-  });
+  report.counts.for_each([&](const Cell& c, const Count& count) { rows[{c.method, c.stream}] += count; });
   return rows;
 }
 
@@ -77,22 +75,21 @@ std::string coverage(const FuzzPlan& plan, const FuzzReport& report) {
   return text;
 }
 
-std::string table(const FuzzPlan& plan, const FuzzReport& report, bool levels) {
+std::string table(const FuzzPlan& plan, const FuzzReport& report) {
   const int width = plan.operands() == Operands::triangles ? 9 : 17;
   std::string text;
   char line[200];
-  std::snprintf(line, sizeof line, "%-22s %-*s %-9s %6s %12s %10s  %-10s  %s\n", "method", width, "family", "format",
-                levels ? "level" : "", "judged", "wrong", "share", "of these");
+  std::snprintf(line, sizeof line, "%-22s %-*s %-9s %12s %10s  %-10s  %s\n", "method", width, "family", "format",
+                "judged", "wrong", "share", "of these");
   text += line;
-  for (const auto& [row, count] : rows_of(report, levels)) {
+  for (const auto& [row, count] : rows_of(report)) {
     const Stream& s = plan.streams[row.stream];
-    const std::string level = levels ? std::to_string(s.family->levels(s.format)[row.level]) : "";
     const double share =
         count.judged() == 0 ? 0 : static_cast<double>(count.wrong) / static_cast<double>(count.judged());
-    std::snprintf(
-        line, sizeof line, "%-22s %-*s %-9s %6s %12llu %10llu  %8.4f %%", plan.methods[row.method].name.c_str(), width,
-        std::string(s.family->name).c_str(), std::string(name_of(s.format)).c_str(), level.c_str(),
-        static_cast<unsigned long long>(count.judged()), static_cast<unsigned long long>(count.wrong), 100 * share);
+    std::snprintf(line, sizeof line, "%-22s %-*s %-9s %12llu %10llu  %8.4f %%", plan.methods[row.method].name.c_str(),
+                  width, std::string(s.family->name).c_str(), std::string(name_of(s.format)).c_str(),
+                  static_cast<unsigned long long>(count.judged()), static_cast<unsigned long long>(count.wrong),
+                  100 * share);
     const std::string of_these = breakdown(count);
     text += line + (of_these.empty() ? "" : "  " + of_these) + "\n";
   }
@@ -274,7 +271,7 @@ int run(const Options& o, const FuzzPlan& plan) {
   FuzzReport report = run_plan(o, plan);
   ask_again(plan, report);
   if (report.cases == 0) throw Failure(Exit::resources, "no case was run");
-  print(verdicts(plan, report) + table(plan, report, o.levels) + coverage(plan, report) + fault_lines(plan, report) +
+  print(verdicts(plan, report) + table(plan, report) + coverage(plan, report) + fault_lines(plan, report) +
         totals(plan, report));
   const bool complete = is_complete(plan, report);
   if (!complete) {
@@ -311,7 +308,6 @@ Action declare_fuzz(Arguments& arguments) {
   arguments.option("--keep", o->keep, "counterexamples to shrink and write, a method").whole_number().shows_default();
   arguments.flag("--relations", o->relations, "check relations between answers instead: no oracle is asked");
   arguments.excludes("--relations", "--seconds");
-  arguments.flag("--levels", o->levels, "show each level of the stress axes");
   const Action action = with_plugins(arguments, [o] { return run(*o); });
   arguments.needs("--plugin", "--method");  // else it would be loaded and not tried
   return action;

@@ -13,11 +13,15 @@
 #include "exact/base/suggestion.h"
 #include "exact/cases/case_io.h"
 #include "exact/cli/command.h"
+#include "exact/compilers/compare.h"
 #include "exact/sweep/map.h"
 #include "exact/sweep/record.h"
 
 namespace tribunal {
 namespace {
+
+/// The axis whose values are builds of one source: it changes the methods, not the cases, so it has a run of its own.
+constexpr std::string_view compiler_axis = "compiler";
 
 /// Asked where the axis takes them, if no method is named.
 constexpr const char* default_methods = "sf-float,sf-double,mt-double,sf-filtered";
@@ -32,6 +36,7 @@ const StressAxis* axis_named(const std::string& name) {
   if (const StressAxis* found = find_stress_axis(name)) return found;
   std::vector<std::string> names;
   for (const StressAxis& a : all_stress_axes()) names.emplace_back(a.name);
+  names.emplace_back(compiler_axis);
   throw Failure(Exit::usage,
                 "unknown axis \"" + name + "\"" + suggestion(name, names, "one that `tribunal sweep --help` lists"));
 }
@@ -54,7 +59,7 @@ std::string axis_help() {
   std::string text = "axes, separated by commas (default all):";
   for (const StressAxis& a : all_stress_axes())
     text += " " + std::string(a.name) + " (" + std::string(a.quantity) + ")";
-  return text;
+  return text + "; or alone: " + std::string(compiler_axis) + " (the naive methods, built otherwise)";
 }
 
 bool is_asked(const SweepPlan& plan, const Method& m) {
@@ -132,6 +137,29 @@ int run_map(const Options& o) {
   return 0;
 }
 
+// --- compilers ------------------------------------------------------------------------------------------------------
+
+int run_compilers(const Options& o) {
+  ComparePlan plan{
+      .builds = all_builds(), .methods = {}, .seed = o.plan.seed, .cases = o.plan.cases, .threads = o.plan.threads};
+  if (plan.builds.empty()) {
+    throw Failure(Exit::resources, "no builds of the naive methods: expected a folder compilers/ beside the program");
+  }
+  if (o.methods.empty()) {
+    for (const Method& m : plan.builds.front().methods) plan.methods.push_back(m.name);
+  } else {
+    for (const Method& m : methods_named(o.methods)) plan.methods.push_back(m.name);
+  }
+  make_directory(o.out);
+  watch_interrupts();
+  const std::vector<BuildRow> rows = compare_builds(plan);
+  print(to_table(plan, rows));
+  write_file(o.out + "/compilers.json", to_json(plan, rows).dump(1) + "\n");
+  draw_figures(o.out, embedded_sweep_script, "compilers.json");
+  print("\nwritten: " + o.out + "/compilers.json, compilers.svg, compilers.png, plot.py\n");
+  return 0;
+}
+
 /// Every record that the directory has.
 int redraw(const std::string& directory) {
   std::vector<std::string> records;
@@ -139,8 +167,9 @@ int redraw(const std::string& directory) {
     if (std::filesystem::exists(directory + "/" + file)) records.push_back(file);
   };
   add("sweep.json");
+  add("compilers.json");
   for (const MapContact& c : all_map_contacts()) add(file_of(c));
-  if (records.empty()) throw bad_input(directory, 0, "no record, expected sweep.json or map-NAME.json");
+  if (records.empty()) throw bad_input(directory, 0, "no record, expected sweep.json, compilers.json or map-NAME.json");
   for (const std::string& file : records) {
     draw_figures(directory, embedded_sweep_script, file);
     print("drawn again from " + directory + "/" + file + "\n");
@@ -151,6 +180,7 @@ int redraw(const std::string& directory) {
 int run(const Options& o) {
   if (!o.redraw.empty()) return redraw(o.redraw);
   if (!o.map.empty()) return run_map(o);
+  if (o.axes == compiler_axis) return run_compilers(o);
   SweepPlan plan = o.plan;
   plan.axes = axes_named(o.axes);
   plan.methods = methods_named(o.methods.empty() ? default_methods : o.methods);

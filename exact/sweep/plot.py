@@ -2,6 +2,7 @@
 """Draws what `tribunal sweep` recorded: python3 plot.py RECORD OUTDIR
 
 sweep.json   thresholds, and a figure for each axis: the share of wrong answers at each of its values
+compilers.json   a cell for each method and build: how many of the answers change
 map-*.json   a failure map: one pixel for each pair of moved coordinates, a panel for each method
 
 A share of zero is drawn at the upper 95 % confidence bound, hollow: a log axis has no zero, and no sample shows one.
@@ -143,9 +144,18 @@ def earliest(marks, side):
     return min(marks, key=abs) if not marks else (min(marks) if side == "up" else max(marks))
 
 
+def failing_spans(record, axis, fmt, method, probe, first, side):
+    """From each value outward of the first at which something fails, to the next value."""
+    fails = {r["value"] for r in record["rows"] if r["axis"] == axis["name"] and r["fmt"] == fmt and
+             r["method"] == method and r["probe"] == probe and (r["wrong"]["k"] or r["refused"])}
+    values = axis["values"][fmt] if side == "up" else axis["values"][fmt][::-1]
+    values = values[values.index(first):]
+    return [(a, b) for a, b in zip(values, values[1:]) if a in fails]
+
+
 def thresholds_figure(record):
-    """An axis a row, a format a column: for each method a bar from the first failure on, dark where some outcome is all
-    that is left."""
+    """An axis a row, a format a column: for each method a bar where something fails, dark where some outcome is all that
+    is left."""
     axes_shown = [a for a in record["axes"] if any(r["axis"] == a["name"] for r in record["rows"])]
     formats = [f for f in FORMATS if any(r["fmt"] == f for r in record["rows"])]
     asked = {a["name"]: [m["name"] for m in record["methods"]
@@ -183,7 +193,8 @@ def thresholds_figure(record):
                             continue
                         end = max(values) if side == "up" else min(values)
                         first = earliest([t["first"]["value"] for t in own], side)
-                        ax.plot([first, end], [y + offset] * 2, color="#F0A070", lw=3.4, solid_capstyle="butt")
+                        for a, b in failing_spans(record, axis, fmt, method, probe, first, side):
+                            ax.plot([a, b], [y + offset] * 2, color="#F0A070", lw=3.4, solid_capstyle="butt")
                         ax.plot([first], [y + offset], "|", color=INK, ms=5, mew=1.2)
                         full = [t["all"]["value"] for t in own if t["all"]]
                         if full:
@@ -266,6 +277,41 @@ def map_figure(record):
     return figure
 
 
+def compilers_figure(record):
+    """A row a method, a column a build; a cell says the share of answers that change, and is darker for more."""
+    builds = [b["name"] for b in record["builds"]]
+    methods = list(dict.fromkeys(r["method"] for r in record["rows"]))
+    share = {(r["method"], r["build"]): r["changed"] / r["answers"]["asked"] for r in record["rows"]}
+    e = record["environment"]
+    flags = "; ".join(f"{b['name']}: {b['flags']}" for b in record["builds"])
+    about = wrapped(f"Hit or miss is not what the program's own build says ({e['compiler'].split(' 20')[0]}, strict). Of "
+                    f"{record['cases_of_each_format']:,} cases of all families in each format, most of them degenerate. "
+                    f"Seed {record['seed']}. {flags}.", 100)
+    row = 0.19
+    head = 1.35 + 0.155 * about.count("\n")
+    height = head + row * len(methods)
+    figure = plt.figure(figsize=(WIDTH, height))
+    ax = figure.add_axes([1.5 / WIDTH, 0.1 / height, (WIDTH - 2.05) / WIDTH, row * len(methods) / height])
+    for i, method in enumerate(methods):
+        for j, build in enumerate(builds):
+            s = share[method, build]
+            depth = 0 if s == 0 else min(1, max(0, 1 + math.log10(s) / 4))
+            ax.add_patch(plt.Rectangle((j, i), 1, 1, fc=plt.cm.Blues(0.75 * depth), ec="white", lw=1))
+            ax.text(j + 0.5, i + 0.53, "0" if s == 0 else f"{100 * s:.1f}" if s >= 0.001 else "<0.1", fontsize=6.5,
+                    ha="center", va="center", color="white" if depth > 0.88 else INK)
+    ax.set_xlim(0, len(builds))
+    ax.set_ylim(len(methods), 0)
+    ax.xaxis.tick_top()
+    ax.set_xticks([j + 0.35 for j in range(len(builds))], builds, rotation=40, ha="left", va="bottom", fontsize=8)
+    ax.set_yticks([i + 0.5 for i in range(len(methods))], methods, fontsize=7.5)
+    ax.tick_params(length=0, pad=2)
+    ax.grid(False)
+    for spine in ax.spines.values():
+        spine.set_visible(False)
+    title(figure, "One source, built otherwise: answers that change, in %", about, height)
+    return figure
+
+
 def save(figure, name):
     if figure is None:
         return
@@ -279,6 +325,9 @@ def main():
         sys.exit(__doc__.splitlines()[0])
     with open(sys.argv[1], encoding="utf-8") as file:
         record = json.load(file)
+    if record.get("axis") == "compiler":
+        save(compilers_figure(record), os.path.join(sys.argv[2], "compilers"))
+        return
     if "map" in record:
         save(map_figure(record), os.path.join(sys.argv[2], "map-" + record["map"]))
         return

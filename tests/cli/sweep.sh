@@ -7,7 +7,7 @@ cd "$scratch"
 expect 0 sweep --method mt-float,sf-double,sf-filtered --axis scale,ulps --count 328 --threads 2 --out run
 says out 'sf-filtered: nothing wrong of'
 says out 'scale +'
-says out 'none at'
+says out ': none (<= '
 lacks err 'tribunal'
 for file in sweep.json sweep.csv witnesses.jsonl thresholds.svg thresholds.png axis-scale.svg axis-ulps.png; do
   [ -s "run/$file" ] || { echo "no run/$file" >&2; exit 1; }
@@ -77,3 +77,18 @@ says err 'expected a number from 0 to 63'
 expect 2 sweep --map edge --pixel sf-double
 expect 2 sweep --map corner
 expect 0 sweep --redraw maps
+
+# The compiler as an axis: strict builds change nothing, contracted ones do, and the figure comes from the record.
+expect 0 sweep --axis compiler --method mt-double,woop-double --count 2000 --out built
+says out 'g++-contracted'
+says out 'mt-double'
+python3 - built/compilers.json <<'PYTHON'
+import json, sys
+r = json.load(open(sys.argv[1]))
+changed = {(row["method"], row["build"]): row["changed"] for row in r["rows"]}
+assert changed["mt-double", "g++-O2"] == 0 and changed["mt-double", "g++-contracted"] > 10, changed
+PYTHON
+expect 0 sweep --redraw built
+[ -s built/compilers.png ]
+expect 2 sweep --axis compiler --method sf-filtered --out no
+says err 'is not among the methods that are compiled again'

@@ -7,8 +7,9 @@
 namespace tribunal {
 namespace {
 
-constexpr int steps_64[] = {0, 1, 2, 4, 8, 1 << 4, 1 << 6, 1 << 10, 1 << 14, 1 << 18, 1 << 22, 1 << 26, 1 << 30};
-constexpr int steps_32[] = {0, 1, 2, 4, 8, 1 << 4, 1 << 6, 1 << 8, 1 << 10, 1 << 14, 1 << 18, 1 << 21};
+constexpr int steps_64[] = {0,       1,       2,       4,       8,       1 << 4,  1 << 6,
+                            1 << 10, 1 << 12, 1 << 14, 1 << 18, 1 << 22, 1 << 26, 1 << 30};
+constexpr int steps_32[] = {0, 1, 2, 4, 8, 1 << 4, 1 << 6, 1 << 8, 1 << 10, 1 << 12, 1 << 14, 1 << 18, 1 << 21};
 constexpr auto steps = by_format<steps_64, steps_32>;
 
 constexpr int farthest(Format format) { return steps(format).back(); }
@@ -27,11 +28,11 @@ SegmentPair draw_contact(Draw& draw, Format format) {
   return {through ? through_exactly(x, v) : Segment{x + v, x}, t};
 }
 
-/// Moves one coordinate of one end of the segment, or of one vertex.
+/// Moves one coordinate of the end or the vertex without which there is no contact.
 Trial place(Draw& draw, Format format, int value, std::uint64_t k) {
   SegmentPair pair = draw_contact(draw, format);
-  Point3* const points[] = {&pair.segment.p, &pair.segment.q, &pair.triangle.a, &pair.triangle.b};
-  double& x = (*points[draw.below(4)])[static_cast<int>(draw.below(3))];
+  Point3& moved = draw.below(2) == 0 ? pair.segment.q : pair.triangle.a;
+  double& x = moved[static_cast<int>(draw.below(3))];
   x = moved_by_ulps(x, draw.below(2) == 0 ? value : -value, format);
   return placed_probe(k, pair, format, draw);
 }
