@@ -121,11 +121,11 @@ void log_streams(ChainedLog& log, const FuzzPlan& plan) {
   }
 }
 
-/// Those of the cases that have these operands and this format.
+/// Those of the cases that have these operands and this format. Adds to `wrong` what was answered wrongly.
 void log_some(ChainedLog& log, const Method& method, const std::vector<Case>& cases, const std::vector<Truth>& truths,
-              const std::function<Answer(std::size_t)>& answer, Operands operands, Format format) {
+              const std::function<Answer(std::size_t)>& answer, Operands operands, Format format,
+              std::vector<Case>& wrong) {
   SampleRow row{.method = method.name, .family = own_cases, .format = format};
-  std::vector<Case> wrong;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     if (cases[i].format != format || cases[i].query.operands() != operands) continue;
     const Answer given = takes(method, format) ? answer(i) : refusal(Status::unsupported);
@@ -150,8 +150,6 @@ void log_some(ChainedLog& log, const Method& method, const std::vector<Case>& ca
                        {"cases", n}};
   log.add(with_operands(stream, operands));
   log.add(to_record(row));
-  sort_by_rank(wrong);
-  for (const Case& c : wrong) log_counterexample(log, c);
 }
 
 }  // namespace
@@ -194,11 +192,14 @@ void log_plan(ChainedLog& log, const Method& method, Operands operands, const st
 
 void log_own_cases(ChainedLog& log, const Method& method, const std::vector<Case>& cases,
                    const std::vector<Truth>& truths, const std::function<Answer(std::size_t)>& answer) {
+  std::vector<Case> wrong;
   for (const Operands operands : {Operands::triangles, Operands::polygons}) {
     for (const Format format : {Format::binary64, Format::binary32}) {
-      log_some(log, method, cases, truths, answer, operands, format);
+      log_some(log, method, cases, truths, answer, operands, format, wrong);
     }
   }
+  sort_by_rank(wrong);
+  for (const Case& c : wrong) log_counterexample(log, c);
 }
 
 ChainedLog certify(const CertifyPlan& plan) {

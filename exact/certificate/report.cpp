@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 
+#include "exact/cases/families/aimed.h"
 #include "exact/certificate/bounds.h"
 #include "exact/certificate/report_parts.h"
 
@@ -236,6 +237,17 @@ std::string sampled_line(const Certificate& c, bool rays, Format format) {
          percent(upper_bound(sampled.wrong, sampled.judged(), confidence_alpha)) + " on these populations\n";
 }
 
+/// Counts of the user's own mesh, which are part of those above. People take them for leaks.
+std::string mesh_lines(const Certificate& c) {
+  std::string text;
+  for (std::size_t i = 0; i < c.streams.size(); ++i) {
+    if (c.streams[i].family != mesh_family) continue;
+    text += "  mesh     " + std::string(name_of(c.streams[i].format)) + ": " + wrong_of(total_of(c, i)) +
+            ", each about one triangle of your mesh: no leak rate, which `tribunal leak` measures\n";
+  }
+  return text;
+}
+
 const char* coverage_word(const Certificate& c) { return c.coverage.has(Operands::polygons) ? "Polygons" : "Classes"; }
 
 std::string word(const Certificate& c, const char* key) { return c.plan[key]; }
@@ -269,6 +281,7 @@ std::string to_summary(const Certificate& c) {
   for (const bool rays : {false, true}) {
     for (const Format format : both_formats) text += sampled_line(c, rays, format);
   }
+  text += mesh_lines(c);
   for (const Format format : both_formats) {
     const Count own = c.own(format);
     if (own.asked > 0) text += "  own      " + std::string(name_of(format)) + ": " + with_breakdown(own) + "\n";

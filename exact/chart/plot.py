@@ -202,8 +202,12 @@ def onset(chart):
         own = [r for r in rows if r["fmt"] == fmt]
         ax.set(yscale="log", ylim=(floor / 3, 1), xlabel="bits of the map's entries")
         bits = sorted({r["bits"] for r in own})
-        crowded = [a > 0 and a - b < 2 and bits[-1] > 30 for a, b in zip(bits, [0] + bits)]
-        ax.set_xticks(bits, [f"\n{b}" if c else str(b) for b, c in zip(bits, crowded)])
+        apart = bits[-1] / (16 if bits[-1] > 30 else 11)
+        ticks = [bits[0]]
+        for b in bits:
+            if b - ticks[-1] >= apart:
+                ticks.append(b)
+        ax.set_xticks(ticks)
         percent_axis(ax, floor)
         curves = grouped(own)
         for curve, methods in curves.items():

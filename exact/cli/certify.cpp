@@ -128,7 +128,10 @@ Action declare_certify(Arguments& arguments) {
       "certify its test of polygons instead of that of triangles (a method without the latter needs no word)");
   arguments.option("--cases", o->cases,
                    "case file of your own, judged and reported beside the rest; with --polygons of rings");
-  arguments.option("--mesh", o->mesh, "mesh of your own (OFF, OBJ, PLY, STL): segments are aimed at its triangles");
+  arguments.option(
+      "--mesh", o->mesh,
+      "mesh of your own (OFF, OBJ, PLY, STL): segments and rays are aimed at its triangles, one a case; how "
+      "often an answer is wrong is no leak rate, which `tribunal leak` measures");
   arguments.option("--seed", o->seed, "seed of the sample").whole_number().shows_default();
   add_threads_option(arguments, o->threads);
   arguments.option("--out", o->out, "directory for certificate.json, certificate.md, log.jsonl, counterexamples.jsonl")

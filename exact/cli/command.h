@@ -60,7 +60,6 @@ Action declare_fuzz(Arguments& arguments);
 Action declare_shrink(Arguments& arguments);
 Action declare_replay(Arguments& arguments);
 Action declare_cases(Arguments& arguments);
-Action declare_judge(Arguments& arguments);
 Action declare_certify(Arguments& arguments);
 Action declare_check(Arguments& arguments);
 Action declare_verify(Arguments& arguments);

@@ -222,7 +222,9 @@ Action declare_sweep(Arguments& arguments) {
   arguments.needs("--pixel", "--map");
   arguments.excludes("--map", "--axis");
   arguments.excludes("--redraw", "--map");
-  return with_plugins(arguments, [o] { return run(*o); });
+  const Action action = with_plugins(arguments, [o] { return run(*o); });
+  arguments.needs("--plugin", "--method");  // else it would be loaded and not tried
+  return action;
 }
 
 }  // namespace tribunal

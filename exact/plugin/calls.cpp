@@ -1,24 +1,11 @@
 #include "exact/plugin/calls.h"
 
 #include <cstdint>
-#include <exception>
-#include <string>
+
+#include "exact/plugin/without_exceptions.h"
 
 namespace tribunal {
 namespace {
-
-/// What the call returns. An exception, which the plugin promises not to throw, becomes a fault.
-template <class Call>
-auto without_exceptions(const Call& call) {
-  std::string what = "an exception of its own";
-  try {
-    return call();
-  } catch (const std::exception& error) {
-    what = error.what();
-  } catch (...) {
-  }
-  throw CallFailed{{Status::threw, what}};
-}
 
 /// A triangle that the plugin has prepared, which is released when this object ends.
 class PreparedHere : public PreparedCalls {

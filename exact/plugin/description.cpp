@@ -124,7 +124,7 @@ void require_whole(const tribunal_plugin& plugin, const std::string& file) {
 void require_version(int abi, const std::string& file) {
   if (abi >= 1 && abi <= TRIBUNAL_PLUGIN_ABI) return;
   throw bad_input(file, 0,
-                  "is made for version " + std::to_string(abi) + " of tribunal_plugin.h, expected 1 or " +
+                  "is made for version " + std::to_string(abi) + " of tribunal_plugin.h, expected 1 to " +
                       std::to_string(TRIBUNAL_PLUGIN_ABI));
 }
 
@@ -133,6 +133,14 @@ tribunal_plugin in_this_version(const tribunal_plugin& plugin, const std::string
   if (plugin.abi > 1) return plugin;
   tribunal_plugin whole{};
   std::memcpy(&whole, &plugin, offsetof(tribunal_plugin, operands));
+  return whole;
+}
+
+tribunal_mesh_plugin in_this_version(const tribunal_mesh_plugin& meshes, const std::string& file) {
+  require_version(meshes.abi, file);
+  if (meshes.abi > 2) return meshes;
+  tribunal_mesh_plugin whole{};
+  std::memcpy(&whole, &meshes, offsetof(tribunal_mesh_plugin, closest_normal));
   return whole;
 }
 

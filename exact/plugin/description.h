@@ -16,6 +16,9 @@ void require_version(int abi, const std::string& file);
 /// nothing behind the ones that it has is read.
 tribunal_plugin in_this_version(const tribunal_plugin& plugin, const std::string& file);
 
+/// The same of a tree.
+tribunal_mesh_plugin in_this_version(const tribunal_mesh_plugin& meshes, const std::string& file);
+
 /// The method without its functions. The description must be in this version.
 Method described(const tribunal_plugin& plugin, const std::string& file);
 

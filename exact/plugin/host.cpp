@@ -7,6 +7,7 @@
 #include "exact/plugin/calls.h"
 #include "exact/plugin/description.h"
 #include "exact/plugin/library.h"
+#include "exact/plugin/mesh_calls.h"
 
 namespace tribunal {
 namespace {
@@ -37,6 +38,8 @@ Introduction introduction_of(const Library& library, const std::string& file) {
   introduction.contract = text_of(introduction.plugin.contract);
   introduction.summary = text_of(introduction.plugin.summary);
   introduction.reference = text_of(introduction.plugin.reference);
+  introduction.has_tree = library.meshes != nullptr;
+  if (introduction.has_tree) introduction.meshes = in_this_version(*library.meshes, file);
   introduction.takes_polygons = library.polygons != nullptr;
   if (!introduction.takes_polygons) return introduction;
   require_version(library.polygons->abi, file);
@@ -49,7 +52,8 @@ Message message_of(const Introduction& introduction) {
   message.add(introduction.failed_with).add(introduction.failure).add(introduction.plugin);
   for (const auto& text : {introduction.name, introduction.contract, introduction.summary, introduction.reference})
     add(message, text);
-  return message.add(introduction.takes_polygons).add(introduction.polygons);
+  message.add(introduction.takes_polygons).add(introduction.polygons);
+  return message.add(introduction.has_tree).add(introduction.meshes);
 }
 
 // --- questions, answered ---------------------------------------------------------------------------------------------
@@ -57,7 +61,9 @@ Message message_of(const Introduction& introduction) {
 Message message_of(const Reply& reply) {
   Message message;
   message.add(reply.fault.kind).add(reply.fault.detail).add(reply.hit).add(reply.answers.size());
-  return message.add(reply.answers.data(), reply.answers.size());
+  message.add(reply.answers.data(), reply.answers.size());
+  message.add(reply.hits.size()).add(reply.hits.data(), reply.hits.size());
+  return message.add(reply.normals.size()).add(reply.normals.data(), reply.normals.size());
 }
 
 std::vector<int> answers_about_triangles(const PluginCalls& calls, Kind kind, Reader& in) {
@@ -95,18 +101,53 @@ std::vector<int> answers_about_polygon(const PluginCalls& calls, Reader& in) {
   return {calls.ask_polygon(probe, coordinates.data(), polygon)};
 }
 
-std::vector<int> answers_to(const PluginCalls& calls, Reader& in, tribunal_hit& hit) {
-  const Kind kind = in.take<Kind>();
+/// The plugin as a child holds it: its functions, and the mesh that was prepared last.
+struct Hosted {
+  std::shared_ptr<const PluginCalls> calls{};
+  tribunal_mesh_plugin meshes{};
+  std::shared_ptr<const MeshCalls> mesh{};
+};
+
+void prepare_mesh(Hosted& hosted, Reader& in) {
+  const std::vector<double> vertices = in.take_many<double>(in.take<std::size_t>());
+  const std::vector<std::size_t> corners = in.take_many<std::size_t>(in.take<std::size_t>());
+  hosted.mesh = mesh_calls_here(hosted.meshes, vertices, corners);
+}
+
+void answer_about_mesh(const MeshCalls& mesh, Kind kind, Reader& in, Reply& reply) {
+  const std::vector<double> rays = in.take_many<double>(in.take<std::size_t>());
+  const std::size_t n = rays.size() / 6;
+  if (kind == Kind::mesh_closest) {
+    reply.hits.resize(n);
+    reply.normals.resize(n);
+    return mesh.closest(rays, reply.hits, reply.normals);
+  }
+  reply.answers.resize(n);
+  if (kind == Kind::mesh_any) return mesh.any(rays, reply.answers);
+  if (kind == Kind::mesh_inside) return mesh.inside(rays, reply.answers);
+  std::vector<std::size_t> counts(n);
+  reply.hits = mesh.all(rays, counts);
+  for (std::size_t i = 0; i < n; ++i) reply.answers[i] = static_cast<int>(counts[i]);
+}
+
+std::vector<int> answers_about_query(const PluginCalls& calls, Kind kind, Reader& in, tribunal_hit& hit) {
   if (kind == Kind::polygon) return answers_about_polygon(calls, in);
   if (kind == Kind::tell) return answer_and_more(calls, in, hit);
   return kind == Kind::prepared ? answer_when_prepared(calls, in) : answers_about_triangles(calls, kind, in);
 }
 
-Reply reply_to(const PluginCalls& calls, std::vector<char> bytes) {
+void answer(Hosted& hosted, Reader& in, Reply& reply) {
+  const Kind kind = in.take<Kind>();
+  if (kind == Kind::mesh) return prepare_mesh(hosted, in);
+  if (kind > Kind::mesh) return answer_about_mesh(*hosted.mesh, kind, in, reply);
+  reply.answers = answers_about_query(*hosted.calls, kind, in, reply.hit);
+}
+
+Reply reply_to(Hosted& hosted, std::vector<char> bytes) {
   Reader in(std::move(bytes));
   Reply reply;
   try {
-    reply.answers = answers_to(calls, in, reply.hit);
+    answer(hosted, in, reply);
   } catch (const CallFailed& failed) {
     reply.fault = failed.fault;
   }
@@ -115,10 +156,10 @@ Reply reply_to(const PluginCalls& calls, std::vector<char> bytes) {
 }
 
 /// Answers until the socket is closed or a fault occurs: after a fault the plugin can no longer be trusted.
-void serve(const PluginCalls& calls, int socket) {
+void serve(Hosted& hosted, int socket) {
   std::vector<char> bytes;
   while (receive_message(socket, bytes, no_deadline()) == Transfer::done) {
-    const Reply reply = reply_to(calls, std::move(bytes));
+    const Reply reply = reply_to(hosted, std::move(bytes));
     if (send_message(socket, message_of(reply), no_deadline()) != Transfer::done || reply.fault) return;
     bytes.clear();
   }
@@ -136,6 +177,8 @@ std::optional<Introduction> introduction_in(std::vector<char> bytes) {
     *text = take_optional(in);
   introduction.takes_polygons = in.take<char>() != 0;
   introduction.polygons = in.take<tribunal_polygon_plugin>();
+  introduction.has_tree = in.take<char>() != 0;
+  introduction.meshes = in.take<tribunal_mesh_plugin>();
   return in.complete() ? std::optional(introduction) : std::nullopt;
 }
 
@@ -157,6 +200,17 @@ Message question(int probe, const double* coordinates, const tribunal_polygon& p
   return message.add(polygon.vertices, 3 * polygon.ends[polygon.rings - 1]);
 }
 
+Message question(std::span<const double> vertices, std::span<const std::size_t> corners) {
+  Message message;
+  message.add(Kind::mesh).add(vertices.size()).add(vertices.data(), vertices.size());
+  return message.add(corners.size()).add(corners.data(), corners.size());
+}
+
+Message question(Kind kind, std::span<const double> rays) {
+  Message message;
+  return message.add(kind).add(rays.size()).add(rays.data(), rays.size());
+}
+
 std::optional<Reply> reply_in(std::vector<char> bytes) {
   Reader in(std::move(bytes));
   Reply reply;
@@ -164,6 +218,8 @@ std::optional<Reply> reply_in(std::vector<char> bytes) {
   reply.fault.detail = in.take_text();
   reply.hit = in.take<tribunal_hit>();
   reply.answers = in.take_many<int>(in.take<std::size_t>());
+  reply.hits = in.take_many<tribunal_mesh_hit>(in.take<std::size_t>());
+  reply.normals = in.take_many<tribunal_mesh_normal>(in.take<std::size_t>());
   const bool known = reply.fault.kind == Status::ok || reply.fault.kind == Status::threw ||
                      reply.fault.kind == Status::gave_no_answer || reply.fault.kind == Status::changed_environment;
   return in.complete() && known ? std::optional(reply) : std::nullopt;
@@ -171,18 +227,18 @@ std::optional<Reply> reply_in(std::vector<char> bytes) {
 
 void host_plugin(const std::string& file, int socket) {
   Introduction introduction;
-  std::shared_ptr<const PluginCalls> calls;
+  Hosted hosted;
   try {
     require_exact_rounding();
     const Library library = open_library(file);
     introduction = introduction_of(library, file);
-    calls = calls_here(introduction.plugin, library.polygons);
+    hosted = {calls_here(introduction.plugin, library.polygons), introduction.meshes, {}};
   } catch (const Failure& failure) {
     introduction.failed_with = code(failure.exit());
     introduction.failure = failure.what();
   }
-  if (send_message(socket, message_of(introduction), no_deadline()) == Transfer::done && calls != nullptr)
-    serve(*calls, socket);
+  if (send_message(socket, message_of(introduction), no_deadline()) == Transfer::done && hosted.calls != nullptr)
+    serve(hosted, socket);
 }
 
 }  // namespace tribunal

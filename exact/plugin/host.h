@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,24 +21,32 @@ struct Introduction {
   std::optional<std::string> name{}, contract{}, summary{}, reference{};
   bool takes_polygons = false;
   tribunal_polygon_plugin polygons{};
+  bool has_tree = false;
+  tribunal_mesh_plugin meshes{};  ///< in this version
 };
 
 /// The introduction, from a message; nothing if it is none.
 std::optional<Introduction> introduction_in(std::vector<char> bytes);
 
 /// How queries are to be asked. About triangles: one after the other; by one call of the plugin's batch function; one
-/// query by the function that also describes the hit; or one query after preparing its triangle.
-enum class Kind : int { each, batch, tell, prepared, polygon };
+/// query by the function that also describes the hit; or one query after preparing its triangle. About a mesh: `mesh`
+/// prepares one, and the questions after it are about the last one that was prepared.
+enum class Kind : int { each, batch, tell, prepared, polygon, mesh, mesh_closest, mesh_any, mesh_all, mesh_inside };
 
 Message question(Kind kind, int probe, std::size_t n, const double* queries);
 Message question(int probe, const double* triangle, const double* coordinates);
 Message question(int probe, const double* coordinates, const tribunal_polygon& polygon);
+Message question(std::span<const double> vertices, std::span<const std::size_t> corners);
+Message question(Kind kind, std::span<const double> rays);
 
 /// The reply of a child: one answer to each query, or the fault.
 struct Reply {
   Fault fault{};
   std::vector<int> answers{};
   tribunal_hit hit{};  ///< of Kind::tell
+  /// Of Kind::mesh_closest, one a ray; of Kind::mesh_all, those of all rays, and the answers are their numbers.
+  std::vector<tribunal_mesh_hit> hits{};
+  std::vector<tribunal_mesh_normal> normals{};  ///< of Kind::mesh_closest
 };
 
 /// The reply, from a message; nothing if it is none.

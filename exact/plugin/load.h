@@ -23,7 +23,7 @@ using Isolation = std::optional<double>;
 std::string load_plugin(const std::string& file, const Isolation& isolation = {});
 
 /// The methods that were loaded so far, by name, and the trees over meshes. A library that has a tree and no test of
-/// its own adds no method; an isolated one adds no tree.
+/// its own adds no method.
 const std::vector<std::string>& loaded_methods();
 const std::vector<MeshPlugin>& loaded_meshes();
 

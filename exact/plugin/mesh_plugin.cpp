@@ -1,11 +1,10 @@
 #include "exact/plugin/mesh_plugin.h"
 
+#include <algorithm>
 #include <cmath>
-#include <exception>
 #include <utility>
 
 #include "exact/base/failure.h"
-#include "exact/base/fp_environment.h"
 #include "exact/plugin/description.h"
 
 namespace tribunal {
@@ -25,123 +24,149 @@ std::vector<double> coordinates_of(std::span<const Point3> points) {
   return x;
 }
 
-/// What the call returns, if it keeps the promises of tribunal_plugin.h.
-template <class Call>
-auto guarded(const std::string& file, const char* function, const Call& call) {
-  const auto fail = [&](Exit exit, const std::string& what) {
-    require_exact_rounding();
-    return Failure(exit, file + ": " + function + " of a mesh " + what);
-  };
-  const auto returned = [&] {
-    try {
-      return call();
-    } catch (const std::exception& error) {
-      throw fail(Exit::disagreement, std::string("threw ") + error.what());
-    } catch (...) {
-      throw fail(Exit::disagreement, "threw an exception of its own");
-    }
-  }();
-  if (!has_exact_rounding()) throw fail(Exit::fp_environment, "changed the rounding mode or flushes to zero");
-  return returned;
+/// The line that ends the command.
+Failure failure_of(const Fault& fault, const std::string& file, const char* function) {
+  const std::string who = std::string(function) + " of a mesh ";
+  if (fault.kind == Status::gave_no_answer) return bad_input(file, 0, who + fault.detail);
+  if (fault.kind == Status::changed_environment) {
+    return Failure(Exit::fp_environment, file + ": " + who + "changed the rounding mode or flushes to zero");
+  }
+  return Failure(Exit::disagreement, file + ": " + who + describe(fault));
 }
 
-/// The same of a function that returns nothing.
-template <class Call>
-void guarded_void(const std::string& file, const char* function, const Call& call) {
-  guarded(file, function, [&] {
-    call();
-    return 0;
-  });
+bool is_answer(int answer) { return answer == 0 || answer == 1; }
+
+std::string wrong_answer(int answer) {
+  return is_answer(answer) ? "" : "answered " + std::to_string(answer) + ", expected 0 or 1";
 }
 
 }  // namespace
 
-PreparedMesh::PreparedMesh(const tribunal_mesh_plugin& plugin, std::string file, std::span<const Point3> vertices,
-                           std::span<const std::size_t> corners)
-    : plugin_(plugin), file_(std::move(file)), face_count_(corners.size() / 3) {
-  const std::vector<double> x = coordinates_of(vertices);
-  void* const made = guarded(file_, "prepare",
-                             [&] { return plugin_.prepare(vertices.size(), x.data(), face_count_, corners.data()); });
-  if (made == nullptr) throw Failure(Exit::resources, file_ + ": prepare of a mesh returned NULL");
-  mesh_ = std::shared_ptr<void>(made, [release = plugin_.release](void* p) {
-    if (release != nullptr) release(p);
+/// Asks about all rays at once; if that fails, about each alone. If none fails then, it is the first of them.
+template <class Answer, class Ask>
+void PreparedMesh::tell(const char* function, std::span<const double> rays, const Ask& ask,
+                        std::span<Told<Answer>> told) const {
+  try {
+    ask(rays, told);
+    return;
+  } catch (const CallFailed& failed) {
+    if (!calls_->isolated()) throw failure_of(failed.fault, file_, function);
+    told[0].fault = failed.fault;
+  }
+  if (told.size() == 1) return;
+  const Fault of_all = std::exchange(told[0].fault, {});
+  for (std::size_t i = 0; i < told.size(); ++i) tell(function, rays.subspan(6 * i, 6), ask, told.subspan(i, 1));
+  const bool found = std::ranges::any_of(told, [](const Told<Answer>& t) { return static_cast<bool>(t.fault); });
+  if (!found) told[0].fault = {of_all.kind, of_all.detail + ", once, not when asked again"};
+}
+
+/// `wrong` says what is wrong with an answer, if something is.
+template <class Answer, class Ask, class Wrong>
+std::vector<Told<Answer>> PreparedMesh::told(const char* function, std::span<const Ray> rays, const Ask& ask,
+                                             const Wrong& wrong) const {
+  const std::vector<double> x = coordinates_of(rays);
+  std::vector<Told<Answer>> told(rays.size());
+  const std::size_t most = std::min(calls_->largest_batch(), rays.size());
+  for (std::size_t first = 0; first < rays.size(); first += most) {
+    const std::size_t n = std::min(most, rays.size() - first);
+    tell(function, std::span(x).subspan(6 * first, 6 * n), ask, std::span(told).subspan(first, n));
+  }
+  for (Told<Answer>& t : told) {
+    if (t.fault) continue;
+    const std::string what = wrong(t.answer);
+    if (what.empty()) continue;
+    t.fault = {Status::gave_no_answer, what};
+    if (!calls_->isolated()) throw failure_of(t.fault, file_, function);
+  }
+  return told;
+}
+
+std::vector<Told<ClosestHit>> PreparedMesh::closest(std::span<const Ray> rays) const {
+  const auto ask = [&](std::span<const double> x, std::span<Told<ClosestHit>> told) {
+    std::vector<tribunal_mesh_hit> hits(told.size());
+    std::vector<tribunal_mesh_normal> normals(told.size());
+    calls_->closest(x, hits, normals);
+    for (std::size_t i = 0; i < told.size(); ++i) told[i].answer = {hits[i], normals[i]};
+  };
+  return told<ClosestHit>("closest", rays, ask, [&](const ClosestHit& c) {
+    return c.hit.face == TRIBUNAL_NO_FACE ? "" : wrong_face(c.hit.face);
   });
 }
 
-std::vector<tribunal_mesh_hit> PreparedMesh::closest(std::span<const Ray> rays) const {
-  const std::vector<double> x = coordinates_of(rays);
-  std::vector<tribunal_mesh_hit> hits(rays.size(), {face_count_, 0});  // no face has this number
-  guarded_void(file_, "closest", [&] { plugin_.closest(mesh_.get(), rays.size(), x.data(), hits.data()); });
-  for (const tribunal_mesh_hit& hit : hits) {
-    if (hit.face != TRIBUNAL_NO_FACE) require_face("closest", hit.face);
-  }
-  return hits;
-}
-
-std::vector<tribunal_mesh_hit> PreparedMesh::all(const Ray& ray) const {
-  const std::vector<double> x = coordinates_of({&ray, 1});
-  std::vector<tribunal_mesh_hit> hits(16, {face_count_, 0});
-  const auto ask = [&] {
-    return guarded(file_, "all", [&] { return plugin_.all(mesh_.get(), x.data(), hits.size(), hits.data()); });
+std::vector<Told<std::vector<tribunal_mesh_hit>>> PreparedMesh::all(std::span<const Ray> rays) const {
+  using Hits = std::vector<tribunal_mesh_hit>;
+  const auto ask = [&](std::span<const double> x, std::span<Told<Hits>> told) {
+    std::vector<std::size_t> counts(told.size());
+    const Hits hits = calls_->all(x, counts);
+    auto next = hits.begin();
+    for (std::size_t i = 0; i < told.size(); ++i) {
+      const auto end = next + static_cast<std::ptrdiff_t>(counts[i]);
+      told[i].answer.assign(next, end);
+      next = end;
+    }
   };
-  std::size_t count = ask();
-  if (count > 64 * (face_count_ + 1)) {
-    throw bad_input(
-        file_, 0,
-        "all of a mesh returned " + std::to_string(count) + " hits of " + std::to_string(face_count_) + " faces");
-  }
-  if (count > hits.size()) {
-    hits.assign(count, {face_count_, 0});
-    count = ask();
-    if (count != hits.size()) throw bad_input(file_, 0, "all of a mesh found another number of hits when asked again");
-  }
-  hits.resize(count);
-  for (const tribunal_mesh_hit& hit : hits) require_face("all", hit.face);
-  return hits;
+  return told<Hits>("all", rays, ask, [&](const Hits& hits) {
+    const auto bad = std::ranges::find_if(hits, [&](const tribunal_mesh_hit& h) { return h.face >= face_count_; });
+    return bad == hits.end() ? "" : wrong_face(bad->face);
+  });
 }
 
-std::vector<int> PreparedMesh::any(std::span<const Ray> rays) const {
-  const std::vector<double> x = coordinates_of(rays);
-  std::vector<int> answers(rays.size(), -1);
-  guarded_void(file_, "any", [&] { plugin_.any(mesh_.get(), rays.size(), x.data(), answers.data()); });
-  require_answers("any", answers);
-  return answers;
+std::vector<Told<int>> PreparedMesh::any(std::span<const Ray> rays) const {
+  const auto ask = [&](std::span<const double> x, std::span<Told<int>> told) {
+    std::vector<int> answers(told.size());
+    calls_->any(x, answers);
+    for (std::size_t i = 0; i < told.size(); ++i) told[i].answer = answers[i];
+  };
+  return told<int>("any", rays, ask, wrong_answer);
 }
 
-std::vector<int> PreparedMesh::inside(std::span<const Ray> rays) const {
-  const std::vector<double> x = coordinates_of(rays);
-  std::vector<int> answers(rays.size(), -1);
-  guarded_void(file_, "inside", [&] { plugin_.inside(mesh_.get(), rays.size(), x.data(), answers.data()); });
-  require_answers("inside", answers);
-  return answers;
+std::vector<Told<int>> PreparedMesh::inside(std::span<const Ray> rays) const {
+  const auto ask = [&](std::span<const double> x, std::span<Told<int>> told) {
+    std::vector<int> answers(told.size());
+    calls_->inside(x, answers);
+    for (std::size_t i = 0; i < told.size(); ++i) told[i].answer = answers[i];
+  };
+  return told<int>("inside", rays, ask, wrong_answer);
 }
 
-void PreparedMesh::require_face(const char* function, std::size_t face) const {
-  if (face < face_count_) return;
-  throw bad_input(file_, 0,
-                  std::string(function) + " of a mesh said face " + std::to_string(face) + ", expected one of " +
-                      std::to_string(face_count_) + ", from 0");
+std::string PreparedMesh::wrong_face(std::size_t face) const {
+  if (face < face_count_) return "";
+  return "said face " + std::to_string(face) + ", expected one of " + std::to_string(face_count_) + ", from 0";
 }
 
-void PreparedMesh::require_answers(const char* function, const std::vector<int>& answers) const {
-  for (const int answer : answers) {
-    if (answer == 0 || answer == 1) continue;
-    throw bad_input(file_, 0,
-                    std::string(function) + " of a mesh answered " + std::to_string(answer) + ", expected 0 or 1");
-  }
-}
-
-MeshPlugin mesh_plugin(const tribunal_plugin& plugin, const tribunal_mesh_plugin& meshes, const std::string& file) {
-  require_version(meshes.abi, file);
+MeshPlugin mesh_plugin(const tribunal_plugin& plugin, const tribunal_mesh_plugin& meshes, const std::string& file,
+                       PrepareMesh prepare) {
   if (meshes.prepare == nullptr) throw bad_input(file, 0, "prepare of meshes is NULL, expected a function");
-  if (meshes.closest == nullptr && meshes.any == nullptr && meshes.all == nullptr && meshes.inside == nullptr) {
+  const Method method = described(plugin, file);
+  MeshPlugin made{method.name, file, method.contract, meshes, std::move(prepare)};
+  if (!made.has_closest() && meshes.any == nullptr && meshes.all == nullptr && meshes.inside == nullptr) {
     throw bad_input(file, 0, "closest, any, all and inside of meshes are NULL, expected one function at least");
   }
-  if (!(meshes.most_ulps >= 0 && std::isfinite(meshes.most_ulps))) {
-    throw bad_input(file, 0, "most_ulps of meshes is " + std::to_string(meshes.most_ulps) + ", expected 0 or more");
+  const auto require_promise = [&](double promise, const char* field) {
+    if (promise >= 0 && std::isfinite(promise)) return;
+    throw bad_input(file, 0, std::string(field) + " of meshes is " + std::to_string(promise) + ", expected 0 or more");
+  };
+  require_promise(meshes.most_ulps, "most_ulps");
+  require_promise(meshes.most_degrees, "most_degrees");
+  if (meshes.closest_normal == nullptr && (meshes.tells_normal != 0 || meshes.tells_side != 0)) {
+    throw bad_input(file, 0, "closest_normal of meshes is NULL, expected a function that tells normal or side");
   }
-  const Method method = described(plugin, file);
-  return {method.name, file, method.contract, meshes};
+  if (meshes.normal_sense != TRIBUNAL_NORMAL_BY_VERTICES && meshes.normal_sense != TRIBUNAL_NORMAL_TOWARDS_SOURCE) {
+    throw bad_input(file, 0,
+                    "normal_sense of meshes is " + std::to_string(meshes.normal_sense) +
+                        ", expected TRIBUNAL_NORMAL_BY_VERTICES or TRIBUNAL_NORMAL_TOWARDS_SOURCE");
+  }
+  return made;
+}
+
+PreparedMesh prepare(const MeshPlugin& plugin, std::span<const Point3> vertices, std::span<const std::size_t> corners) {
+  try {
+    return {plugin.prepare(coordinates_of(vertices), corners), plugin.file, corners.size() / 3};
+  } catch (const CallFailed& failed) {
+    const bool no_memory = failed.fault.kind == Status::gave_no_answer;
+    if (no_memory) throw Failure(Exit::resources, plugin.file + ": prepare of a mesh " + failed.fault.detail);
+    throw failure_of(failed.fault, plugin.file, "prepare");
+  }
 }
 
 }  // namespace tribunal

@@ -25,9 +25,10 @@
 extern "C" {
 #endif
 
-/* Version of this interface; grows when it changes. Libraries built for version 1 are loaded: what version 2 added
- * comes last in tribunal_plugin, and zero there means what version 1 meant. Any other version is refused. */
-#define TRIBUNAL_PLUGIN_ABI 2
+/* Version of this interface; grows when it changes. Libraries built for earlier versions are loaded: what version 2
+ * added comes last in tribunal_plugin, what version 3 added comes last in tribunal_mesh_plugin, and zero there means
+ * what the version before meant. Any other version is refused. */
+#define TRIBUNAL_PLUGIN_ABI 3
 
 /* The probe that a query holds. */
 enum {
@@ -177,6 +178,24 @@ typedef struct tribunal_mesh_hit {
 /* The i-th ray is at rays + 6*i. The closest hit; where several faces are hit at one t, any of them. */
 typedef void tribunal_mesh_closest(const void* mesh, size_t n, const double* rays, tribunal_mesh_hit* hits);
 
+/* Which side of a face is seen (version 3). FRONT: that from which its vertices run counterclockwise. */
+enum { TRIBUNAL_SIDE_UNSAID = 0, TRIBUNAL_SIDE_FRONT = 1, TRIBUNAL_SIDE_BACK = 2 };
+
+/* Where normals point (version 3). BY_VERTICES: as (b - a) x (c - a), whichever side is seen. TOWARDS_SOURCE: to the
+ * side from which the ray comes. */
+enum { TRIBUNAL_NORMAL_BY_VERTICES = 0, TRIBUNAL_NORMAL_TOWARDS_SOURCE = 1 };
+
+/* What is known of the face that is hit (version 3): its normal, of any length, and the side that the ray's source
+ * sees. Each is looked at where the library says that it tells it. */
+typedef struct tribunal_mesh_normal {
+  double normal[3];
+  int side; /* TRIBUNAL_SIDE_... */
+} tribunal_mesh_normal;
+
+/* As tribunal_mesh_closest, with normals (version 3). The i-th normal is not looked at where no face is hit. */
+typedef void tribunal_mesh_closest_normal(const void* mesh, size_t n, const double* rays, tribunal_mesh_hit* hits,
+                                          tribunal_mesh_normal* normals);
+
 /* 1 where any face is hit, else 0. */
 typedef void tribunal_mesh_any(const void* mesh, size_t n, const double* rays, int* answers);
 
@@ -196,8 +215,15 @@ typedef struct tribunal_mesh_plugin {
   tribunal_mesh_closest* closest;
   tribunal_mesh_any* any;
   tribunal_mesh_all* all;
-  tribunal_mesh_inside* inside; /* one of these four at least */
+  tribunal_mesh_inside* inside; /* one of these four, or closest_normal, at least */
   tribunal_release* release;    /* or NULL: nothing is to be released */
+
+  /* Version 3. */
+  tribunal_mesh_closest_normal* closest_normal; /* or NULL; else it is asked in place of closest */
+  int tells_normal;                             /* not 0: closest_normal gives the normal of the face */
+  int tells_side;                               /* not 0: it gives the side */
+  int normal_sense;                             /* TRIBUNAL_NORMAL_... */
+  double most_degrees; /* the angle between a normal and the exact one is no more; 0: not promised, but for the side */
 } tribunal_mesh_plugin;
 
 #if defined(__GNUC__)

@@ -105,3 +105,15 @@ expect 3 judge --cases nothing.jsonl --answers miss.jsonl && says err 'nothing.j
 expect 2 judge --cases - --answers - && says err 'both standard input'
 expect 2 judge --cases flat.jsonl
 expect 2 judge --cases flat.jsonl --answers miss.jsonl --convention ajar
+
+# The worst is first, whatever its format and its target: here a triangle's case of binary32, after extreme ones of binary64.
+cat >mixed.jsonl <<'CASES'
+{"id":"huge","seg":[[1e300,1e300,1e300],[1e300,1e300,-1e300]],"tri":[[0,0,0],[4e300,0,0],[0,4e300,0]]}
+{"id":"ring","seg":[[0.25,0.25,1],[0.25,0.25,-1]],"rings":[[[0,0,0],[1,0,0],[0,1,0]]]}
+{"id":"edge","fmt":"binary32","seg":[[0.5,0.5,1],[0.5,0.5,-1]],"tri":[[0,0,0],[1,0,0],[0,1,0]]}
+{"id":"plain","fmt":"binary32","seg":[[0.25,0.25,1],[0.25,0.5,-1]],"tri":[[0,0,0],[1,0,0],[0,1,0]]}
+CASES
+for id in huge ring edge plain; do echo '{"id":"'$id'","hit":0}'; done >all_miss.jsonl
+expect 1 judge --cases mixed.jsonl --answers all_miss.jsonl --out mixed
+[ "$(grep -o '^{"id":"[a-z]*"' mixed/counterexamples.jsonl | cut -d'"' -f4 | tr '\n' ' ')" = 'plain ring edge huge ' ]
+expect 0 verify mixed

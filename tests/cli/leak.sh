@@ -55,3 +55,38 @@ found 1 't beyond its promise' ROUNDS_T
 found 3 'closest of a mesh said face 1000000, expected one of 8' NO_SUCH_FACE
 found 1 'any of a mesh threw out of boxes' THROWS
 found 3 'any of a mesh answered -1, expected 0 or 1' NO_ANSWER
+for fault in TURNS_NORMALS BLUNTS_NORMALS WRONG_SIDE; do
+  found 1 'tree/closest, binary64 rays: watertight on these 2000 rays; wrong normals ' $fault
+  says out 'tree/all, binary64 rays: watertight on these 2000 rays'
+done
+tree old -DVERSION_2
+expect 0 "${trial[@]}" --format binary64 --plugin old.so && lacks out normal
+
+# isolated CODE WHAT COUNT FLAG…: of 2000 rays, so many are marked; the tree fails on each, in all its functions, and the
+# run goes on.
+isolated() {
+  tree wrong "${@:4}"
+  expect "$1" "${trial[@]}" --format binary64 --plugin wrong.so --isolate --time-limit 0.1 --out found
+  for function in closest any all inside; do
+    says out "tree/$function, binary64 rays: "
+    says found/cases.jsonl "tree/$function-fault-binary64-" && says found/summary.json "\"$2\": $3"
+  done
+  [ "$(grep -cF "FAULT: $2 on $3 rays" out)" -eq 4 ] || { cat out >&2; exit 1; }
+  says out 'no leak where it answered, but faults: ' && rm -r found
+}
+expect 0 "${trial[@]}" --format binary64 --plugin right.so --json && cp out here
+expect 0 "${trial[@]}" --format binary64 --plugin right.so --json --isolate && cmp here out
+tree wrong -DFAULT=throw_text && expect 1 "${trial[@]}" --format binary64 --plugin wrong.so && says err 'threw out of boxes'
+expect 1 "${trial[@]}" --format binary64 --plugin wrong.so --isolate --json
+marked=$(sed -n 's/.*"threw out of boxes": //p' out | sort -u)
+[ "$marked" -ge 3 ] && [ "$marked" -le 20 ] || { echo "marked: $marked" >&2; exit 1; }
+isolated 1 'threw out of boxes' "$marked" -DFAULT=throw_text
+isolated 1 'crashed (SIGSEGV)' "$marked" -DFAULT=crash
+isolated 1 'crashed (SIGABRT)' "$marked" -DFAULT=die
+isolated 1 'exited (status 0)' "$marked" -DFAULT=leave
+isolated 1 'timed out after 0.1 s' "$marked" -DFAULT=loop
+isolated 1 'changed the floating-point environment' "$marked" -DFAULT=round_up
+tree wrong -DNO_SUCH_FACE && expect 1 "${trial[@]}" --format binary64 --plugin wrong.so --isolate
+says out 'tree/closest, binary64 rays: no answer to any of these 2000 rays' && says out 'said face 1000000, expected one of 8'
+tree wrong -DFAULT=crash -DFAULTS_IN_PREPARE
+expect 1 "${trial[@]}" --plugin wrong.so --isolate && says err 'wrong.so: prepare of a mesh crashed (SIGSEGV)' && [ "$(wc -l <err)" -eq 1 ]

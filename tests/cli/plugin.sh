@@ -102,7 +102,7 @@ echo 'int unrelated;' >unrelated.c && plugin unrelated unrelated.c && no_plugin 
 echo 'int nowhere(void); int undefined(void) { return nowhere(); }' >undefined.c
 cc -shared -fPIC -o undefined.so undefined.c && no_plugin undefined.so 'cannot be loaded as a shared library: undefined symbol: nowhere'
 breaks 'tribunal_plugin_describe returned NULL' -DNOTHING
-breaks 'is made for version 999 of tribunal_plugin.h, expected 1 or 2' -DABI=999 -DNAME=NULL
+breaks 'is made for version 999 of tribunal_plugin.h, expected 1 to 3' -DABI=999 -DNAME=NULL
 breaks 'name is NULL' -DNAME=NULL
 breaks 'name is "", expected' -DNAME='""'
 breaks 'name is "a,b", expected' -DNAME='"a,b"'

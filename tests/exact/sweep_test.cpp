@@ -208,6 +208,18 @@ TEST(Axes, ScaleIsExact) {
   }
 }
 
+/// Two values of the scale have the same maps only by chance, which entries in {-1, 0, 1} make small.
+TEST(Axes, NoTwoValuesShareTheirDraws) {
+  const StressAxis& axis = *find_stress_axis("scale");
+  const auto vertex_at = [&](int value, std::uint64_t k) {
+    const Point3 a = case_at(axis, Format::binary64, 1, value, k).query.triangle().a;
+    return Point3{std::ldexp(a.x, -value), std::ldexp(a.y, -value), std::ldexp(a.z, -value)};
+  };
+  int same = 0;
+  for (std::uint64_t k = 0; k < 328; ++k) same += vertex_at(100, k) == vertex_at(200, k);
+  EXPECT_LT(same, 164);
+}
+
 // --- thresholds -----------------------------------------------------------------------------------------------------
 
 /// The reference, which answers the opposite where the first vertex is farther than 2^25.5 from the origin.

@@ -5,12 +5,22 @@
 //   LISTS_TWICE        all reports a face again for each box that it lies in
 //   COUNTS_EDGES       inside counts every closed face, so that an edge counts twice
 //   ROUNDS_T           t in binary32, against the promise
+//   TURNS_NORMALS, BLUNTS_NORMALS, WRONG_SIDE   what it tells of the face that is hit
 //   NO_SUCH_FACE, THROWS, NO_ANSWER   break the interface
+//   FAULT=crash|loop|leave|die|round_up|throw_text   does so on about one ray in 300, in closest, any, all and inside
+//   FAULTS_IN_PREPARE      the same while a mesh is prepared
+//   VERSION_2              a library of before there were normals
 #include <gmpxx.h>
 
 #include <algorithm>
 #include <array>
+#include <cfenv>
 #include <cmath>
+#include <csignal>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
 #include <limits>
 #include <stdexcept>
 #include <vector>
@@ -45,6 +55,30 @@ struct Ray {
     for (std::size_t i = 0; i < 3; ++i) o[i] = x[i], d[i] = x[i + 3];
   }
 };
+
+[[maybe_unused]] void crash() { std::raise(SIGSEGV); }
+[[maybe_unused]] void die() { std::abort(); }
+[[maybe_unused]] void leave() { std::exit(0); }
+[[maybe_unused]] void round_up() { std::fesetround(FE_UPWARD); }
+[[maybe_unused]] void throw_text() { throw std::runtime_error("out of boxes"); }
+[[maybe_unused]] void loop() {
+  for (volatile bool on = true; on;) {
+  }
+}
+
+/// Fails if the ray is marked, by bits of its coordinates.
+void may_fail([[maybe_unused]] const double* ray) {
+#ifdef FAULT
+  std::uint64_t mixed = 1;
+  for (int i = 0; i < 6; ++i) {
+    std::uint64_t bits;
+    std::memcpy(&bits, ray + i, sizeof bits);
+    mixed = (mixed ^ bits) * 0x9e3779b97f4a7c15u;
+    mixed ^= mixed >> 29;
+  }
+  if (mixed % 300 == 0) FAULT();
+#endif
+}
 
 Vector minus(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
@@ -84,7 +118,9 @@ bool meets(const Face& f, const Ray& r, Number& t) {
   return t >= 0 && b >= 0 && c >= 0 && b + c <= 1;
 }
 
-std::vector<Hit> hits_of(const Mesh& mesh, const Ray& r) {
+std::vector<Hit> hits_of(const Mesh& mesh, const double* ray) {
+  may_fail(ray);
+  const Ray r(ray);
   std::vector<Hit> hits;
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
     Number t;
@@ -124,6 +160,9 @@ bool crosses(const Face& f, const Ray& r) {
 }
 
 void* prepare(std::size_t vertex_count, const double* vertices, std::size_t face_count, const std::size_t* corners) {
+#ifdef FAULTS_IN_PREPARE
+  FAULT();
+#endif
   Mesh* mesh = new Mesh;
   for (std::size_t f = 0; f < face_count; ++f) {
     Face face;
@@ -148,7 +187,7 @@ void* prepare(std::size_t vertex_count, const double* vertices, std::size_t face
 
 void closest(const void* mesh, std::size_t n, const double* rays, tribunal_mesh_hit* hits) {
   for (std::size_t i = 0; i < n; ++i) {
-    std::vector<Hit> all = hits_of(*static_cast<const Mesh*>(mesh), Ray(rays + 6 * i));
+    std::vector<Hit> all = hits_of(*static_cast<const Mesh*>(mesh), rays + 6 * i);
 #ifndef EXITS_EARLY
     std::stable_sort(all.begin(), all.end(), [](const Hit& a, const Hit& b) { return a.t < b.t; });
 #endif
@@ -160,20 +199,46 @@ void closest(const void* mesh, std::size_t n, const double* rays, tribunal_mesh_
   }
 }
 
+/// Of the face, as its vertices turn, and the side that the source sees.
+[[maybe_unused]] void closest_normal(const void* mesh, std::size_t n, const double* rays, tribunal_mesh_hit* hits,
+                                     tribunal_mesh_normal* normals) {
+  closest(mesh, n, rays, hits);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (hits[i].face >= static_cast<const Mesh*>(mesh)->faces.size()) continue;
+    const Face& f = static_cast<const Mesh*>(mesh)->faces[hits[i].face];
+    const Vector ab = minus(f[1], f[0]), ac = minus(f[2], f[0]);
+    const Vector across = {ab[1] * ac[2] - ab[2] * ac[1], ab[2] * ac[0] - ab[0] * ac[2], ab[0] * ac[1] - ab[1] * ac[0]};
+    const Ray ray(rays + 6 * i);
+    bool front = across[0] * ray.d[0] + across[1] * ray.d[1] + across[2] * ray.d[2] < 0;
+    bool turned = !front;
+#ifdef TURNS_NORMALS
+    turned = false;
+#endif
+#ifdef WRONG_SIDE
+    front = true;
+#endif
+    for (std::size_t k = 0; k < 3; ++k) normals[i].normal[k] = (turned ? -1 : 1) * across[k].get_d();
+#ifdef BLUNTS_NORMALS
+    for (double& x : normals[i].normal) x = std::round(x * 8) / 8 + 0x1p-9;
+#endif
+    normals[i].side = front ? TRIBUNAL_SIDE_FRONT : TRIBUNAL_SIDE_BACK;
+  }
+}
+
 void any(const void* mesh, std::size_t n, const double* rays, int* answers) {
 #ifdef THROWS
   throw std::runtime_error("out of boxes");
 #endif
 #ifndef NO_ANSWER
   for (std::size_t i = 0; i < n; ++i) {
-    answers[i] = hits_of(*static_cast<const Mesh*>(mesh), Ray(rays + 6 * i)).empty() ? 0 : 1;
+    answers[i] = hits_of(*static_cast<const Mesh*>(mesh), rays + 6 * i).empty() ? 0 : 1;
   }
 #endif
   (void)mesh, (void)n, (void)rays, (void)answers;
 }
 
 std::size_t all(const void* mesh, const double* ray, std::size_t capacity, tribunal_mesh_hit* hits) {
-  std::vector<Hit> list = hits_of(*static_cast<const Mesh*>(mesh), Ray(ray));
+  std::vector<Hit> list = hits_of(*static_cast<const Mesh*>(mesh), ray);
   std::stable_sort(list.begin(), list.end(), [](const Hit& a, const Hit& b) { return a.t < b.t; });
 #ifdef LISTS_TWICE
   if (list.size() > 1) list.push_back(list.back());
@@ -184,6 +249,7 @@ std::size_t all(const void* mesh, const double* ray, std::size_t capacity, tribu
 
 void inside(const void* mesh, std::size_t n, const double* rays, int* answers) {
   for (std::size_t i = 0; i < n; ++i) {
+    may_fail(rays + 6 * i);
     const Ray ray(rays + 6 * i);
     int count = 0;
     for (const Face& f : static_cast<const Mesh*>(mesh)->faces) count += crosses(f, ray);
@@ -215,6 +281,16 @@ tribunal_mesh_plugin mesh_description() {
   p.all = all;
   p.inside = inside;
   p.release = release;
+#ifdef VERSION_2
+  p.abi = 2;
+  std::memset(&p.closest_normal, 0xff, sizeof p - offsetof(tribunal_mesh_plugin, closest_normal));  // not ours to read
+#else
+  p.closest_normal = closest_normal;
+  p.tells_normal = 1;
+  p.tells_side = 1;
+  p.normal_sense = TRIBUNAL_NORMAL_TOWARDS_SOURCE;
+  p.most_degrees = 1e-10;
+#endif
   return p;
 }
 

@@ -1,6 +1,5 @@
 // tribunal leak: is a test watertight on this mesh?
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 
 #include "exact/base/failure.h"
@@ -10,11 +9,10 @@
 #include "exact/mesh/triangulate.h"
 #include "exact/methods/methods.h"
 #include "exact/plugin/load.h"
-#include "exact/record/counterexample.h"
-#include "exact/record/environment.h"
 #include "tracer/cli/command.h"
+#include "tracer/cli/mesh_trial.h"
 #include "tracer/leak/mesh_subject.h"
-#include "tracer/leak/report.h"
+#include "tracer/leak/ray_files.h"
 
 namespace tribunal {
 namespace {
@@ -22,11 +20,10 @@ namespace {
 using namespace leak;
 
 struct Options {
-  std::string mesh, methods, format = "both", out;
-  std::uint64_t seed = 1, rays = 0;
-  unsigned threads = 1;
-  std::size_t keep = 4;
-  bool every_face = false, by_aim = false, json = false;
+  MeshTrialOptions trial{};
+  std::string methods{}, format = "both", rays_out{};
+  std::uint64_t rays = 0;
+  bool every_face = false;
 };
 
 bool takes_rays(const Method& m) { return m.contract.probes.rays && m.contract.triangles != Triangles::none; }
@@ -58,15 +55,6 @@ std::uint64_t rays_of(const Options& o, const Surface& s) {
   return std::clamp<std::uint64_t>(4 * marks, 200'000, 2'000'000);
 }
 
-std::string about(const Surface& s, const LeakReport& r) {
-  std::string text = std::string(name_of(s.format())) + ": " + std::to_string(s.face_count()) + " faces, " +
-                     describe(s.topology()) + "; " + std::to_string(r.rays) + " rays, " + std::to_string(r.inside) +
-                     " from inside, " + std::to_string(r.exactly) + " exactly through an edge or a vertex";
-  if (r.skipped > 0) text += "; " + std::to_string(r.skipped) + " not judged: no start off the surface was found";
-  if (!s.topology().closed()) text += "\nthe mesh is not closed: it has no inside, and parity is not judged";
-  return text + "\n";
-}
-
 /// A line for each method that was left out because it takes no rays.
 std::string not_asked(const std::vector<Method>& methods) {
   std::string text;
@@ -74,31 +62,6 @@ std::string not_asked(const std::vector<Method>& methods) {
     if (!takes_rays(m)) text += m.name + " takes no rays of triangles: not asked\n";
   }
   return text;
-}
-
-/// One format's trial, and what is to be shown and written of it.
-struct Trial {
-  std::string text{}, verdicts{};
-  Json summary{};
-  std::vector<Case> cases{};
-  std::vector<std::pair<std::string, std::string>> pictures{};  ///< file names and contents
-  bool erred = false, complete = true;
-  int signal = 0;
-};
-
-/// "my-tree/closest" as part of a file's name.
-std::string file_name(const Subject& subject) {
-  std::string name = subject.name;
-  std::ranges::replace(name, '/', '-');
-  return name;
-}
-
-void add_findings(Trial& trial, const Options& o, const Surface& surface, const Subject& subject,
-                  const SubjectReport& report) {
-  const auto cases = cases_of(surface, subject, report, std::filesystem::path(o.mesh).filename().string(), o.seed);
-  trial.cases.insert(trial.cases.end(), cases.begin(), cases.end());
-  const std::string file = file_name(subject) + "-" + std::string(name_of(surface.format())) + ".ply";
-  if (has_erred(report)) trial.pictures.emplace_back(file, painted(surface, report));
 }
 
 /// All that take the surface's format: methods, face by face, and the trees of plugins.
@@ -117,82 +80,64 @@ std::vector<Subject> subjects_on(const Surface& surface, const std::vector<Metho
   return subjects;
 }
 
-Trial run_format(const Options& o, const Mesh& mesh, const std::vector<Method>& methods, Format format) {
-  const Surface surface(mesh, format, o.mesh);
+/// Adds the trial of one format, if there is anybody to ask. Returns the signal that ended it early, or 0.
+int run_format(MeshTrial& trial, const Options& o, const Mesh& mesh, const std::vector<Method>& methods,
+               Format format) {
+  const Surface surface(mesh, format, o.trial.mesh);
   const std::vector<Subject> subjects = subjects_on(surface, methods);
-  if (subjects.empty()) return {};
-  const LeakReport report = run_leak_trial(
-      surface, subjects,
-      {.seed = o.seed, .rays = rays_of(o, surface), .threads = o.threads, .every_face = o.every_face, .keep = o.keep});
-  Trial trial{.complete = report.complete, .signal = report.signal};
-  if (report.complete && report.rays == 0) throw Failure(Exit::resources, o.mesh + ": no ray could be judged");
-  trial.text = about(surface, report) + table(subjects, report, format, o.by_aim);
-  trial.summary = summary(surface, subjects, report);
-  for (std::size_t i = 0; i < subjects.size(); ++i) {
-    const SubjectReport& s = report.subjects[i];
-    trial.erred |= has_erred(s);
-    trial.verdicts += verdict(subjects[i], s, format) + worst_faces(s, 3);
-    if (!o.out.empty()) add_findings(trial, o, surface, subjects[i], s);
+  if (subjects.empty()) return 0;
+  const LeakReport report = run_leak_trial(surface, subjects,
+                                           {.seed = o.trial.seed,
+                                            .rays = rays_of(o, surface),
+                                            .threads = o.trial.threads,
+                                            .every_face = o.every_face,
+                                            .keep = o.trial.keep});
+  if (report.complete) add(trial, o.trial, surface, subjects, report);
+  return report.signal;
+}
+
+/// Writes the rays of each format, and the mesh that they were aimed at. Nobody is asked.
+int write_rays(const Options& o, const Mesh& mesh) {
+  make_directory(o.rays_out);
+  for (const Format format : formats_of(o)) {
+    const Surface surface(mesh, format, o.trial.mesh);
+    std::string lines;
+    std::size_t count = 0;
+    for (std::uint64_t k = 0; k < rays_of(o, surface); ++k) {
+      const std::optional<AimedRay> aimed = aimed_ray(surface, o.trial.seed, k);
+      if (!aimed) continue;
+      lines += to_line(surface, *aimed, k);
+      ++count;
+    }
+    if (count == 0) throw Failure(Exit::resources, o.trial.mesh + ": no start off the surface was found");
+    const std::string name = o.rays_out + "/" + std::string(name_of(format));
+    write_file(name + ".off", to_off(surface));
+    write_file(name + ".jsonl", lines);
+    print(std::to_string(count) + " rays in " + name + ".jsonl, aimed at " + name + ".off\n");
   }
-  return trial;
-}
-
-void write(const Options& o, const std::vector<Trial>& trials, const Json& summary) {
-  make_directory(o.out);
-  std::vector<Case> cases;
-  for (const Trial& t : trials) {
-    cases.insert(cases.end(), t.cases.begin(), t.cases.end());
-    for (const auto& [file, bytes] : t.pictures) write_file(o.out + "/" + file, bytes);
-  }
-  write_file(o.out + "/summary.json", summary.dump(1) + "\n");
-  write_file(o.out + "/cases.jsonl", to_lines(cases));
-}
-
-Json summary_of(const Options& o, const std::vector<Trial>& trials) {
-  Json formats = Json::array();
-  for (const Trial& t : trials) formats.push_back(t.summary);
-  return {{"mesh", std::filesystem::path(o.mesh).filename().string()},
-          {"seed", o.seed},
-          {"trials", formats},
-          {"environment", environment()}};
-}
-
-void show(const Options& o, const std::vector<Trial>& trials, const Json& summary, const std::string& first) {
-  if (o.json) return print(summary.dump(1) + "\n");
-  print(first);
-  for (const Trial& t : trials) print(t.text + "\n");
-  for (const Trial& t : trials) print(t.verdicts);
-  if (o.out.empty()) return;
-  std::size_t cases = 0;
-  for (const Trial& t : trials) cases += t.cases.size();
-  print(std::to_string(cases) + " cases in " + o.out + "/cases.jsonl" +
-        (cases == 0 ? "" : "; `tribunal replay` shows them") + "\n");
+  return 0;
 }
 
 int run(const Options& o) {
-  const Mesh mesh = triangulated(read_mesh(o.mesh), o.mesh);
+  const Mesh mesh = triangulated(read_mesh(o.trial.mesh), o.trial.mesh);
+  if (!o.rays_out.empty()) return write_rays(o, mesh);
   const std::vector<Method> methods = methods_of(o);
   if (loaded_meshes().empty() && std::ranges::none_of(methods, takes_rays))
     throw Failure(Exit::usage, "no method given that takes rays of triangles");
-  std::vector<Trial> trials;
+  MeshTrial trial;
   for (const Format format : formats_of(o)) {
-    Trial trial = run_format(o, mesh, methods, format);
-    if (!trial.complete) return print("INTERRUPTED\n"), exit_code_after(code(Exit::ok), trial.signal);
-    if (!trial.text.empty()) trials.push_back(std::move(trial));
+    const int signal = run_format(trial, o, mesh, methods, format);
+    if (signal != 0) return print("INTERRUPTED\n"), exit_code_after(code(Exit::ok), signal);
   }
-  if (trials.empty()) throw Failure(Exit::usage, "no method given that takes rays of " + o.format);
-  const Json summary = summary_of(o, trials);
-  if (!o.out.empty()) write(o, trials, summary);
-  show(o, trials, summary, not_asked(methods));
-  const bool erred = std::ranges::any_of(trials, &Trial::erred);
-  return code(erred ? Exit::disagreement : Exit::ok);
+  if (trial.text.empty()) throw Failure(Exit::usage, "no method given that takes rays of " + o.format);
+  return finish(trial, o.trial, not_asked(methods));
 }
 
 }  // namespace
 
 Action declare_leak(Arguments& arguments) {
   const auto o = std::make_shared<Options>();
-  arguments.option("MESH", o->mesh, "mesh file (OFF, OBJ, PLY, STL)").required();
+  arguments.option("MESH", o->trial.mesh, "mesh file (OFF, OBJ, PLY, STL)").required();
   arguments.option("--method", o->methods,
                    "methods, separated by commas (default: those of plugins; without any, the certified one and all "
                    "that are not exact)");
@@ -202,15 +147,21 @@ Action declare_leak(Arguments& arguments) {
   arguments.option("--rays", o->rays, "rays, of each format (default: four for each vertex, edge and face)")
       .whole_number()
       .above_zero();
-  arguments.option("--seed", o->seed, "seed of the rays").whole_number().shows_default();
-  add_threads_option(arguments, o->threads);
-  arguments.option("--out", o->out, "directory for summary.json, cases.jsonl and painted meshes (PLY)");
-  arguments.option("--keep", o->keep, "cases to write, a method and kind of error").whole_number().shows_default();
-  arguments.flag("--by-aim", o->by_aim, "show rays aimed at vertices, edges and faces apart");
+  arguments.option("--seed", o->trial.seed, "seed of the rays").whole_number().shows_default();
+  add_threads_option(arguments, o->trial.threads);
+  arguments.option("--out", o->trial.out, "directory for summary.json, cases.jsonl and painted meshes (PLY)");
+  arguments.option("--keep", o->trial.keep, "cases to write, a method and kind of error")
+      .whole_number()
+      .shows_default();
+  arguments.flag("--by-aim", o->trial.by_aim, "show rays aimed at vertices, edges and faces apart");
   arguments.flag("--every-face", o->every_face, "ask about every face, not only those whose boxes the ray meets");
-  arguments.flag("--json", o->json, "all counts as JSON instead of the table");
-  return with_plugins(
-      arguments, [o] { return run(*o); }, MayIsolate::no);
+  arguments.option("--rays-out", o->rays_out,
+                   "directory for the rays of each format and the mesh that they are aimed at, as files; nobody is "
+                   "asked: answer the rays where you are, and see `tribunal judge --mesh`");
+  arguments.flag("--json", o->trial.json, "all counts as JSON instead of the table");
+  Action action = with_plugins(arguments, [o] { return run(*o); });
+  for (const char* other : {"--method", "--plugin", "--out", "--json"}) arguments.excludes("--rays-out", other);
+  return action;
 }
 
 }  // namespace tribunal

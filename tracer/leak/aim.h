@@ -9,14 +9,15 @@
 
 namespace tribunal::leak {
 
-/// What a ray was aimed at.
-enum class Aim : std::uint8_t { vertex, edge, face };
+/// What a ray was aimed at; `unsaid` of a ray that was made elsewhere.
+enum class Aim : std::uint8_t { vertex, edge, face, unsaid };
 
+/// What rays are aimed at here.
 inline constexpr Aim all_aims[] = {Aim::vertex, Aim::edge, Aim::face};
 inline constexpr std::size_t aim_count = std::size(all_aims);
 
 constexpr std::string_view name_of(Aim a) {
-  constexpr std::string_view names[] = {"vertex", "edge", "face"};
+  constexpr std::string_view names[] = {"vertex", "edge", "face", "unsaid"};
   return names[static_cast<int>(a)];
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "tracer/leak/outcome.h"
 #include "tracer/leak/subject.h"
@@ -15,7 +16,9 @@ struct Verdict {
   Outcomes outcomes{};
   bool parity_judged = false;
   std::array<std::optional<std::uint32_t>, outcome_count> face{};
-  double ulps = 0;  ///< error of t in ulps, if the closest hit is right and t is given
+  double ulps = 0;      ///< error of t in ulps, if the closest hit is right and t is given
+  double degrees = 0;   ///< error of its normal, if one is given that points to the right side
+  std::string fault{};  ///< what the fault was, for people
 
   void add(Outcome o, std::uint32_t f) {
     outcomes.add(o);

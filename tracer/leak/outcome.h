@@ -17,20 +17,23 @@ enum class Outcome : std::uint8_t {
   double_hit,  ///< beside a face that it meets, one that it misses; or an even number of faces where just one is due
   parity,      ///< the number of reported faces puts its source on the wrong side
   closest,     ///< the face that is reported as the closest is not, and stands for none that is
-  order,      ///< the same, although a closest face is reported, and for one that it meets later; or a list that should
-              ///< be sorted is not
-  wrong_t,    ///< t of the closest hit is further off than promised
-  neighbour,  ///< in place of a face that it meets, a face beside it is reported, with the same facing
-  twice,      ///< more than one face is reported where it passes an edge or a vertex, each of which it meets
-  outline     ///< it passes, by no more than rounding, what it sees as outline, and is not reported there
+  order,    ///< the same, although a closest face is reported, and for one that it meets later; or a list that should
+            ///< be sorted is not
+  wrong_t,  ///< t of the closest hit is further off than promised
+  wrong_normal,  ///< the normal of the closest hit points to the wrong side or is further off than promised, or its
+                 ///< side is the other one
+  fault,         ///< it did something else than answer
+  neighbour,     ///< in place of a face that it meets, a face beside it is reported, with the same facing
+  twice,         ///< more than one face is reported where it passes an edge or a vertex, each of which it meets
+  outline        ///< it passes, by no more than rounding, what it sees as outline, and is not reported there
 };
 
-inline constexpr std::size_t outcome_count = 11;
+inline constexpr std::size_t outcome_count = 13;
 
 /// The key in JSON and in case files.
 constexpr std::string_view name_of(Outcome o) {
-  constexpr std::string_view names[outcome_count] = {"leak",      "lost",           "false hit", "double hit",
-                                                     "parity",    "closest",        "order",     "t",
+  constexpr std::string_view names[outcome_count] = {"leak",      "lost",           "false hit", "double hit", "parity",
+                                                     "closest",   "order",          "t",         "normal",     "fault",
                                                      "neighbour", "reported twice", "outline"};
   return names[static_cast<int>(o)];
 }
@@ -39,8 +42,9 @@ constexpr std::string_view name_of(Outcome o) {
 constexpr bool is_error(Outcome o) { return o < Outcome::neighbour; }
 
 constexpr std::array<Outcome, outcome_count> all_outcomes = {
-    Outcome::leak,  Outcome::lost,    Outcome::false_hit, Outcome::double_hit, Outcome::parity, Outcome::closest,
-    Outcome::order, Outcome::wrong_t, Outcome::neighbour, Outcome::twice,      Outcome::outline};
+    Outcome::leak,      Outcome::lost,  Outcome::false_hit, Outcome::double_hit,   Outcome::parity,
+    Outcome::closest,   Outcome::order, Outcome::wrong_t,   Outcome::wrong_normal, Outcome::fault,
+    Outcome::neighbour, Outcome::twice, Outcome::outline};
 
 /// A set of outcomes.
 class Outcomes {
@@ -69,7 +73,7 @@ struct AimTally {
 
 /// The counts of all rays, by aim.
 struct LeakTally {
-  std::array<AimTally, aim_count> by_aim{};
+  std::array<AimTally, 1 + aim_count> by_aim{};
 
   AimTally& operator[](Aim a) { return by_aim[static_cast<std::size_t>(a)]; }
   const AimTally& operator[](Aim a) const { return by_aim[static_cast<std::size_t>(a)]; }
@@ -79,7 +83,7 @@ struct LeakTally {
     return sum;
   }
   LeakTally& operator+=(const LeakTally& other) {
-    for (std::size_t i = 0; i < aim_count; ++i) by_aim[i] += other.by_aim[i];
+    for (std::size_t i = 0; i < by_aim.size(); ++i) by_aim[i] += other.by_aim[i];
     return *this;
   }
 };

@@ -34,28 +34,52 @@ bool tells_hits(const Subject& s) { return s.tells_hits; }
 bool tells_parity(const Subject& s) { return s.tells_parity; }
 bool tells_closest(const Subject& s) { return s.tells_closest; }
 bool tells_order(const Subject& s) { return s.tells_closest || s.sorted; }
+bool tells_t(const Subject& s) { return s.most_ulps > 0; }
+bool tells_normals(const Subject& s) { return s.tells_normals; }
+bool may_fail(const Subject&) { return true; }
 
 constexpr Column columns[] = {
-    {"leaks", Outcome::leak, tells_hits},      {"lost", Outcome::lost, tells_hits},
-    {"false", Outcome::false_hit, tells_hits}, {"double", Outcome::double_hit, tells_hits},
-    {"parity", Outcome::parity, tells_parity}, {"closest", Outcome::closest, tells_closest},
-    {"order", Outcome::order, tells_order},    {"neighbour", Outcome::neighbour, tells_hits},
-    {"twice", Outcome::twice, tells_hits},     {"outline", Outcome::outline, tells_hits},
+    {"leaks", Outcome::leak, tells_hits},
+    {"lost", Outcome::lost, tells_hits},
+    {"false", Outcome::false_hit, tells_hits},
+    {"double", Outcome::double_hit, tells_hits},
+    {"parity", Outcome::parity, tells_parity},
+    {"closest", Outcome::closest, tells_closest},
+    {"order", Outcome::order, tells_order},
+    {"t", Outcome::wrong_t, tells_t},
+    {"normal", Outcome::wrong_normal, tells_normals},
+    {"fault", Outcome::fault, may_fail},
+    {"neighbour", Outcome::neighbour, tells_hits},
+    {"twice", Outcome::twice, tells_hits},
+    {"outline", Outcome::outline, tells_hits},
 };
 
-std::string heading(bool by_aim) {
+/// The columns that say something: t and normals where a subject tells them, faults where there was one.
+std::vector<Column> columns_of(const std::vector<Subject>& subjects, const LeakReport& report) {
+  std::vector<Column> chosen;
+  for (const Column& c : columns) {
+    const bool rare = c.outcome == Outcome::wrong_t || c.outcome == Outcome::wrong_normal;
+    if (rare && std::ranges::none_of(subjects, c.told)) continue;
+    const auto failed = [](const SubjectReport& s) { return !s.faults.empty(); };
+    if (c.outcome == Outcome::fault && std::ranges::none_of(report.subjects, failed)) continue;
+    chosen.push_back(c);
+  }
+  return chosen;
+}
+
+std::string heading(const std::vector<Column>& chosen, bool by_aim) {
   std::string text = "per million rays                   format    ";
   char cell[32];
   if (by_aim) text += "aimed at ";
-  for (const Column& c : columns) {
+  for (const Column& c : chosen) {
     std::snprintf(cell, sizeof cell, " %9s", c.heading);
     text += cell;
   }
   return text + "\n";
 }
 
-std::string row(const Subject& subject, const std::string& name, Format format, const AimTally& tally,
-                const char* aim) {
+std::string row(const std::vector<Column>& chosen, const Subject& subject, const std::string& name, Format format,
+                const AimTally& tally, const char* aim) {
   char cell[64];
   std::snprintf(cell, sizeof cell, "%-34s %-10s", name.c_str(), std::string(name_of(format)).c_str());
   std::string text = cell;
@@ -63,7 +87,7 @@ std::string row(const Subject& subject, const std::string& name, Format format, 
     std::snprintf(cell, sizeof cell, "%-9s", aim);
     text += cell;
   }
-  for (const Column& c : columns) {
+  for (const Column& c : chosen) {
     const bool parity = c.outcome == Outcome::parity;
     const std::uint64_t of = parity ? tally.parity_judged : tally.rays;
     const bool judged = c.told(subject) && (!parity || of > 0);
@@ -75,10 +99,10 @@ std::string row(const Subject& subject, const std::string& name, Format format, 
 
 /// "all aimed at edges", or "3.1 of those aimed at vertices, 12.0 at edges".
 std::string by_aim(const LeakTally& tally) {
-  constexpr const char* plurals[aim_count] = {"vertices", "edges", "faces"};
+  constexpr const char* plurals[] = {"vertices", "edges", "faces", "what is not said"};
   std::string text;
   std::size_t aims = 0, last = 0;
-  for (std::size_t a = 0; a < aim_count; ++a) {
+  for (std::size_t a = 0; a < tally.by_aim.size(); ++a) {
     const AimTally& t = tally.by_aim[a];
     if (t[Outcome::leak] == 0) continue;
     const std::string how_often = rate(t[Outcome::leak], t.rays);
@@ -94,9 +118,11 @@ struct ErrorName {
   const char* text;
 };
 
-constexpr ErrorName error_names[] = {{Outcome::false_hit, "false hits"},  {Outcome::double_hit, "double hits"},
-                                     {Outcome::closest, "wrong closest"}, {Outcome::order, "wrong order"},
-                                     {Outcome::parity, "wrong parity"},   {Outcome::wrong_t, "t beyond its promise"}};
+constexpr ErrorName error_names[] = {
+    {Outcome::false_hit, "false hits"},       {Outcome::double_hit, "double hits"},
+    {Outcome::closest, "wrong closest"},      {Outcome::order, "wrong order"},
+    {Outcome::parity, "wrong parity"},        {Outcome::wrong_t, "t beyond its promise"},
+    {Outcome::wrong_normal, "wrong normals"}, {Outcome::fault, "faults"}};
 
 std::string other_errors(const AimTally& all) {
   std::string text;
@@ -127,31 +153,50 @@ std::vector<std::uint32_t> by_count(const std::vector<std::uint32_t>& counts) {
 }  // namespace
 
 std::string table(const std::vector<Subject>& subjects, const LeakReport& report, Format format, bool each_aim) {
-  std::string text = heading(each_aim);
+  const std::vector<Column> chosen = columns_of(subjects, report);
+  std::string text = heading(chosen, each_aim);
   for (std::size_t i = 0; i < subjects.size(); ++i) {
     const LeakTally& tally = report.subjects[i].tally;
-    text += row(subjects[i], subjects[i].name, format, tally.all(), each_aim ? "all" : nullptr);
+    text += row(chosen, subjects[i], subjects[i].name, format, tally.all(), each_aim ? "all" : nullptr);
     for (const Aim a : all_aims) {
-      if (each_aim) text += row(subjects[i], "", format, tally[a], std::string(name_of(a)).c_str());
+      if (each_aim) text += row(chosen, subjects[i], "", format, tally[a], std::string(name_of(a)).c_str());
     }
   }
   return text;
 }
 
-std::string verdict(const Subject& subject, const SubjectReport& report, Format format) {
+namespace {
+
+std::string verdict_line(const Subject& subject, const SubjectReport& report, Format format) {
   const AimTally all = report.tally.all();
   const std::string who = subject.name + ", " + std::string(name_of(format)) + " rays: ";
+  if (all[Outcome::fault] == all.rays) return who + "no answer to any of these " + std::to_string(all.rays) + " rays\n";
   if (!subject.tells_hits) {
-    const std::string rays = std::to_string(all.parity_judged) + " rays\n";
-    if (all[Outcome::parity] == 0) return who + "right about inside and outside on these " + rays;
+    const std::string of = std::to_string(all.parity_judged) + " rays";
+    const std::string faults = all[Outcome::fault] == 0 ? "" : "; faults " + rate(all[Outcome::fault], all.rays);
+    if (all[Outcome::parity] == 0) return who + "right about inside and outside on these " + of + faults + "\n";
     return who + "wrong about inside and outside: " + rate(all[Outcome::parity], all.parity_judged) +
-           " per million of these " + rays;
+           " per million of these " + of + faults + "\n";
+  }
+  if (all[Outcome::leak] == 0 && all[Outcome::fault] > 0) {
+    return who + "no leak where it answered, but faults: " + rate(all[Outcome::fault], all.rays) +
+           " per million of these " + std::to_string(all.rays) + " rays" + other_errors(all) + "\n";
   }
   if (all[Outcome::leak] == 0) {
     return who + "watertight on these " + std::to_string(all.rays) + " rays" + other_errors(all) + "\n";
   }
   return who + "leaks: " + rate(all[Outcome::leak], all.rays) + " per million rays, " + by_aim(report.tally) +
          other_errors(all) + "\n";
+}
+
+}  // namespace
+
+std::string verdict(const Subject& subject, const SubjectReport& report, Format format) {
+  std::string text = verdict_line(subject, report, format);
+  for (const auto& [fault, rays] : report.faults) {
+    text += "  FAULT: " + fault + " on " + std::to_string(rays) + " rays\n";
+  }
+  return text;
 }
 
 bool has_erred(const SubjectReport& report) {
@@ -165,9 +210,12 @@ Json summary(const Surface& surface, const std::vector<Subject>& subjects, const
     const SubjectReport& s = report.subjects[i];
     Json aims = Json::object();
     for (const Aim a : all_aims) aims[std::string(name_of(a))] = tally_json(s.tally[a]);
+    if (s.tally[Aim::unsaid].rays > 0) aims["unsaid"] = tally_json(s.tally[Aim::unsaid]);
     Json row = {
         {"name", subjects[i].name}, {"judged", subjects[i].told}, {"all", tally_json(s.tally.all())}, {"by_aim", aims}};
     if (s.worst_ulps > 0) row["worst_t_ulps"] = s.worst_ulps;
+    if (s.worst_degrees > 0) row["worst_normal_degrees"] = s.worst_degrees;
+    if (!s.faults.empty()) row["faults"] = s.faults;
     if (!subjects[i].tells_parity) row["all"].erase("parity");
     rows.push_back(std::move(row));
   }
@@ -241,6 +289,7 @@ std::vector<Case> cases_of(const Surface& surface, const Subject& subject, const
                      {"ray", f.k},
                      {"aimed_at", std::string(name_of(f.aimed.aim)) + " " + std::to_string(f.aimed.at)}}},
                    {"made_with", environment()}};
+      if (!f.fault.empty()) c.finding["detail"] = f.fault;
       cases.push_back(std::move(c));
     }
   }

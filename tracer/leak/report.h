@@ -13,7 +13,8 @@ namespace tribunal::leak {
 /// Outcomes per million rays, one row per subject; with `by_aim`, one row per subject and aim.
 std::string table(const std::vector<Subject>& subjects, const LeakReport& report, Format format, bool by_aim);
 
-/// One line: "watertight on these 300000 rays", or the worst first: leaks, and at what they were aimed.
+/// "watertight on these 300000 rays", or the worst first: leaks, and at what they were aimed. A line for each fault
+/// follows.
 std::string verdict(const Subject& subject, const SubjectReport& report, Format format);
 
 /// Whether the subject made an error on any ray.

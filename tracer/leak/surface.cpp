@@ -87,12 +87,11 @@ void Surface::find_edges() {
 }
 
 void Surface::mark_openings() {
-  std::vector<bool> open(vertices_.size());
+  at_opening_.resize(vertices_.size());
   for (std::size_t e = 0; e < edges_.size(); ++e) {
     if (of_edge_[e].size() % 2 == 0) continue;
-    for (const std::uint32_t v : edges_[e]) open[v] = true;
+    for (const std::uint32_t v : edges_[e]) at_opening_[v] = true;
   }
-  for (const Corners& c : corners_) at_opening_.push_back(open[c[0]] || open[c[1]] || open[c[2]]);
 }
 
 bool Surface::has_vertex(std::uint32_t face, std::uint32_t vertex) const {

@@ -55,8 +55,8 @@ class Surface {
 
   /// Whether the face has no area.
   bool is_flat(std::uint32_t face) const { return flat_[face]; }
-  /// Whether the face has a vertex on an edge that belongs to an odd number of faces.
-  bool is_at_opening(std::uint32_t face) const { return at_opening_[face]; }
+  /// Whether the vertex is an end of an edge that belongs to an odd number of faces.
+  bool is_at_opening(std::uint32_t vertex) const { return at_opening_[vertex]; }
   bool has_vertex(std::uint32_t face, std::uint32_t vertex) const;
   bool share_vertex(std::uint32_t face, std::uint32_t other) const;
 

@@ -28,8 +28,8 @@ Block block_of(const Surface& surface, const LeakPlan& plan, std::uint64_t first
   Block block;
   std::vector<std::uint32_t> every(plan.every_face ? surface.face_count() : 0), met;
   std::iota(every.begin(), every.end(), 0u);
-  for (std::uint64_t k = first; k < std::min(first + block_size, plan.rays); ++k) {
-    const std::optional<AimedRay> aimed = aimed_ray(surface, plan.seed, k);
+  for (std::uint64_t k = first; k < std::min(first + block_size, plan.count()); ++k) {
+    const std::optional<AimedRay> aimed = plan.given.empty() ? aimed_ray(surface, plan.seed, k) : plan.given[k];
     if (aimed) surface.boxes().candidates(BoxProbe(aimed->ray), met);
     RayTruth truth = aimed ? truth_of(surface, *aimed, met) : RayTruth{.on_surface = true};
     if (truth.on_surface) {
@@ -38,7 +38,7 @@ Block block_of(const Surface& surface, const LeakPlan& plan, std::uint64_t first
     }
     block.k.push_back(k);
     block.aimed.push_back(*aimed);
-    block.asked.push_back({aimed->ray, plan.every_face ? every : met});
+    block.asked.push_back({k, aimed->ray, plan.every_face ? every : met});
     block.truths.push_back(std::move(truth));
   }
   return block;
@@ -54,17 +54,20 @@ struct Part {
   LeakTally tally{};
   std::vector<LeakFinding> findings{};
   std::vector<std::pair<std::uint32_t, bool>> spots{};
-  double worst_ulps = 0;
+  double worst_ulps = 0, worst_degrees = 0;
+  std::map<std::string, std::uint64_t> faults{};
 
   void add(std::uint64_t k, const AimedRay& aimed, const Verdict& v) {
     AimTally& t = tally[aimed.aim];
     ++t.rays;
     t.parity_judged += v.parity_judged;
     worst_ulps = std::max(worst_ulps, v.ulps);
+    worst_degrees = std::max(worst_degrees, v.degrees);
+    if (!v.fault.empty()) ++faults[v.fault];
     for (const Outcome o : all_outcomes) {
       t.with[static_cast<std::size_t>(o)] += v.outcomes.has(o);
       if (!v.outcomes.has(o) || !is_error(o)) continue;
-      findings.push_back({k, aimed, o, *v.shown_by(o)});
+      findings.push_back({k, aimed, o, *v.shown_by(o), v.fault});
       if (o != Outcome::lost) spots.emplace_back(*v.shown_by(o), o == Outcome::leak);
     }
   }
@@ -73,6 +76,8 @@ struct Part {
 void add(SubjectReport& report, const Part& part, std::size_t keep) {
   report.tally += part.tally;
   report.worst_ulps = std::max(report.worst_ulps, part.worst_ulps);
+  report.worst_degrees = std::max(report.worst_degrees, part.worst_degrees);
+  for (const auto& [fault, count] : part.faults) report.faults[fault] += count;
   for (const auto& [face, leaked] : part.spots) ++(leaked ? report.leaks_at : report.errors_at)[face];
   for (const LeakFinding& f : part.findings) {
     std::vector<LeakFinding>& kept = report.findings[f.outcome];
@@ -118,8 +123,8 @@ LeakReport empty_report(const Surface& surface, std::size_t subjects) {
 LeakReport run_leak_trial(const Surface& surface, const std::vector<Subject>& subjects, const LeakPlan& plan) {
   LeakReport report = empty_report(surface, subjects.size());
   std::mutex guard;
-  Progress progress("leak " + std::string(name_of(surface.format())), "rays", plan.rays);
-  const std::size_t blocks = (plan.rays + block_size - 1) / block_size;
+  Progress progress("leak " + std::string(name_of(surface.format())), "rays", plan.count());
+  const std::size_t blocks = (plan.count() + block_size - 1) / block_size;
   const std::size_t done = run_blocks(blocks, plan.threads, [&](std::size_t b, unsigned) {
     const Block block = block_of(surface, plan, b * block_size);
     std::vector<Part> parts;

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <map>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "tracer/leak/judge.h"
@@ -11,9 +13,12 @@ namespace tribunal::leak {
 
 struct LeakPlan {
   std::uint64_t seed = 1, rays = 0;
+  std::span<const AimedRay> given{};  ///< rays to take instead of aiming some; seed and rays then say nothing
   unsigned threads = 1;
   bool every_face = false;  ///< ask about every face, not only about those whose boxes the ray meets
   std::size_t keep = 4;     ///< findings to keep, a subject and outcome
+
+  std::uint64_t count() const { return given.empty() ? rays : given.size(); }
 };
 
 /// A ray on which a subject erred.
@@ -21,7 +26,8 @@ struct LeakFinding {
   std::uint64_t k;
   AimedRay aimed;
   Outcome outcome;
-  std::uint32_t face;  ///< a face that should have been reported, or should not
+  std::uint32_t face;   ///< a face that should have been reported, or should not
+  std::string fault{};  ///< what the fault was, for people
 };
 
 /// How one subject did.
@@ -30,6 +36,8 @@ struct SubjectReport {
   std::map<Outcome, std::vector<LeakFinding>> findings{};  ///< of errors, the first of each kind
   std::vector<std::uint32_t> leaks_at{}, errors_at{};      ///< by face; other errors than leaks in the second
   double worst_ulps = 0;                                   ///< the worst error of t of right closest hits, in ulps
+  double worst_degrees = 0;                                ///< of their normals
+  std::map<std::string, std::uint64_t> faults{};           ///< by what they were, for people
 };
 
 struct LeakReport {

@@ -1,12 +1,12 @@
 #include "tracer/leak/truth.h"
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
-#include "exact/cases/families/ulp.h"
 #include "exact/filtered/crossing.h"
 #include "exact/filtered/filtered.h"
 #include "exact/filtered/filtered_kernel.h"
+#include "tracer/leak/nearness.h"
 
 namespace tribunal::leak {
 namespace {
@@ -25,17 +25,92 @@ void order(const Surface& surface, const Ray& ray, RayTruth& truth) {
   }
 }
 
-bool is_at_outline(const Surface& surface, const AimedRay& aimed) {
-  if (aimed.aim == Aim::face) return false;
-  const auto around = aimed.aim == Aim::vertex ? surface.faces_of_vertex(aimed.at) : surface.faces_of_edge(aimed.at);
-  bool front = false, back = false;
-  for (const std::uint32_t f : around) {
-    if (surface.is_flat(f)) continue;
-    const Facing facing = facing_of(surface, aimed.ray, f);
-    front |= facing != Facing::back;
-    back |= facing != Facing::front;
+/// Gathers one passage from a face on.
+class Gathering {
+ public:
+  Gathering(const Surface& surface, const Ray& ray) : surface_(surface), near_(ray, surface.format()) {}
+
+  Passage from(std::span<const Crossed> crossed) {
+    for (const Crossed& c : crossed) add(c.face);
+    for (std::size_t i = 0; i < passage_.faces.size(); ++i) spread(surface_.corners(passage_.faces[i]));
+    std::ranges::sort(passage_.faces);
+    return std::move(passage_);
   }
-  return front && back;
+
+ private:
+  void add(std::uint32_t face) {
+    if (std::ranges::find(passage_.faces, face) == passage_.faces.end()) passage_.faces.push_back(face);
+  }
+
+  bool is_near(std::uint32_t vertex) {
+    return known(vertices_, vertex, [&] { return near_.has(surface_.vertices()[vertex]); });
+  }
+
+  bool is_near(std::uint32_t a, std::uint32_t b) {
+    const Surface::Edge edge = {std::min(a, b), std::max(a, b)};
+    return known(edges_, edge, [&] { return near_.has(surface_.vertices()[edge[0]], surface_.vertices()[edge[1]]); });
+  }
+
+  /// The answer that the list has for the key; else it is found, and kept.
+  template <class Key, class Find>
+  static bool known(std::vector<std::pair<Key, bool>>& list, const Key& key, const Find& find) {
+    const auto entry = std::ranges::find(list, key, &std::pair<Key, bool>::first);
+    if (entry != list.end()) return entry->second;
+    list.emplace_back(key, find());
+    return list.back().second;
+  }
+
+  void spread(const Surface::Corners& corners) {
+    for (const std::uint32_t v : corners) {
+      if (is_near(v)) spread_from(v);
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t a = corners[i], b = corners[(i + 1) % 3];
+      if (a != b && !is_near(a) && !is_near(b) && is_near(a, b)) spread_from(a, b);
+    }
+  }
+
+  void spread_from(std::uint32_t v) {
+    passage_.at_opening |= surface_.is_at_opening(v);
+    for (const std::uint32_t f : surface_.faces_of_vertex(v)) add(f);
+  }
+
+  void spread_from(std::uint32_t a, std::uint32_t b) {
+    std::size_t count = 0;
+    for (const std::uint32_t f : surface_.faces_of_vertex(a)) {
+      if (!surface_.has_vertex(f, b)) continue;
+      add(f);
+      ++count;
+    }
+    passage_.at_opening |= count % 2 == 1;
+  }
+
+  const Surface& surface_;
+  Nearness near_;
+  Passage passage_{};
+  std::vector<std::pair<std::uint32_t, bool>> vertices_{};
+  std::vector<std::pair<Surface::Edge, bool>> edges_{};
+};
+
+/// Sets the passages, and to which of them each place belongs.
+void find_passages(const Surface& surface, const Ray& ray, RayTruth& truth) {
+  constexpr std::size_t none = SIZE_MAX;
+  for (Place& p : truth.places) p.passage = none;
+  for (std::size_t i = 0; i < truth.places.size(); ++i) {
+    if (truth.places[i].passage != none) continue;
+    Passage passage = Gathering(surface, ray).from(truth.at(truth.places[i]));
+    for (std::size_t j = i; j < truth.places.size(); ++j) {
+      const auto crossed = truth.at(truth.places[j]);
+      if (!passage.has(crossed.front().face)) continue;
+      truth.places[j].passage = truth.passages.size();
+      passage.places.push_back(j);
+      for (const Crossed& c : crossed) {
+        passage.crossings += c.direction != 0;
+        passage.entered -= c.direction;
+      }
+    }
+    truth.passages.push_back(std::move(passage));
+  }
 }
 
 }  // namespace
@@ -55,26 +130,12 @@ Facing facing_of(const Surface& surface, const Ray& ray, std::uint32_t face) {
   return side == Sign::positive ? Facing::front : Facing::back;
 }
 
-bool is_edge_on(const Surface& surface, const Ray& ray, std::uint32_t face) {
-  const Facing facing = facing_of(surface, ray, face);
-  const Triangle& t = surface.triangle(face);
-  double most = 0;
-  for (const Point3& p : {ray.o, t.a, t.b, t.c}) {
-    for (int axis = 0; axis < 3; ++axis) most = std::max(most, std::abs(p[axis]));
-  }
-  const double step = 16 * (moved_by_ulps(most, 1, surface.format()) - most);
-  for (int signs = 0; signs < 8; ++signs) {
-    const Point3 move((signs & 1) != 0 ? step : -step, (signs & 2) != 0 ? step : -step,
-                      (signs & 4) != 0 ? step : -step);
-    if (facing_of(surface, {ray.o + move, ray.d}, face) != facing) return true;
-  }
-  return false;
-}
-
 RayTruth truth_of(const Surface& surface, const AimedRay& aimed, std::span<const std::uint32_t> candidates) {
   RayTruth truth;
+  const Nearness near(aimed.ray, surface.format());
   int crossings = 0;
   for (const std::uint32_t f : candidates) {
+    truth.starts_near |= near.source_is_at(surface.triangle(f));
     const Answer answer = intersect(aimed.ray, surface.triangle(f));
     if (!answer.hit) continue;
     const Crossing how = crossing(aimed.ray, surface.triangle(f));
@@ -88,24 +149,40 @@ RayTruth truth_of(const Surface& surface, const AimedRay& aimed, std::span<const
   }
   if (truth.on_surface) return truth;
   truth.inside = crossings % 2 == 1 && surface.topology().closed();
-  truth.at_outline = is_at_outline(surface, aimed);
   order(surface, aimed.ray, truth);
+  find_passages(surface, aimed.ray, truth);
   return truth;
 }
+
+namespace {
+
+bool has_opening(const Surface& surface, std::span<const Crossed> crossed) {
+  return std::ranges::any_of(crossed, [&](const Crossed& c) {
+    return std::ranges::any_of(surface.corners(c.face), [&](std::uint32_t v) { return surface.is_at_opening(v); });
+  });
+}
+
+}  // namespace
 
 bool is_passed(const Surface& surface, const RayTruth& truth, const Place& place, Culling culling) {
   const bool culls = culling != Culling::none;
   int crossings = 0, entered = 0;
-  bool at_opening = false;
   for (const Crossed& c : truth.at(place)) {
     if (c.contact == Contact::interior && (!culls || c.facing == Facing::front)) return true;
-    at_opening |= surface.is_at_opening(c.face);
     crossings += c.direction != 0;
     entered -= c.direction;
   }
   // In the plane of a neighbour the ray leaves it elsewhere than it enters: parity is of the whole way, not of a place.
-  if (at_opening || !truth.along.empty()) return false;
+  if (!truth.along.empty() || has_opening(surface, truth.at(place))) return false;
   return culls ? surface.topology().oriented() && entered > 0 : crossings % 2 == 1;
+}
+
+bool is_passed(const Surface& surface, const RayTruth& truth, const Passage& passage, Culling culling) {
+  if (passage.at_opening || truth.starts_near) return false;
+  const bool oriented = surface.topology().oriented();
+  if (culling == Culling::none) return oriented ? passage.entered != 0 : passage.crossings % 2 == 1;
+  if (oriented) return passage.entered > 0;
+  return passage.faces.size() == 1 && truth.at(truth.places[passage.places.front()]).front().facing == Facing::front;
 }
 
 }  // namespace tribunal::leak

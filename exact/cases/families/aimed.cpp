@@ -55,7 +55,7 @@ Family aimed_at(std::vector<Triangle> triangles) {
     const Segment s = aim(level, t, other, far, draw, format);
     return unclassified(format, level, draw_probe(is_ray, s, format, draw), t, draw);
   };
-  return {.name = "your mesh",
+  return {.name = mesh_family,
           .stresses = "the triangles of a mesh of your own, met at vertices, edges and in their planes",
           .population =
               "segments and rays aimed at the triangles of your mesh, one triangle a case: how often a single "
