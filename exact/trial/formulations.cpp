@@ -5,7 +5,9 @@
 
 namespace tribunal {
 
-Truth truth_by_formulations(const Query& query) { return truth_by_formulations_on<BoundedInteger>(query); }
+Truth truth_by_formulations(const Query& query) {
+  return query.bounds ? exact_truth(query) : truth_by_formulations_on<BoundedInteger>(query);
+}
 
 const char* formulations_in_words() {
   return "class table, Segura-Feito and Caratheodory on integers of fixed width, or GMP's where those do not hold the "
@@ -13,6 +15,7 @@ const char* formulations_in_words() {
 }
 
 Truth formulated_truth(const Trial& trial, std::uint64_t k, bool needs_facing, TruthBy formulations) {
+  if (trial.query.bounds) return truth_of(trial, k);
   if (trial.class_id != 0 && k % 257 != 0) {
     return needs_facing ? truth_in_class(trial.class_id, trial.query) : truth_of_class(trial.class_id);
   }

@@ -9,7 +9,8 @@ namespace tribunal {
 using TruthBy = Truth (*)(const Query&);
 
 /// By the signs' class, by the Segura–Feito decision and by Carathéodory's theorem, on the narrowest integers that hold
-/// the operands; GMP's where none of fixed width does. Ends the run where two of the three differ.
+/// the operands; GMP's where none of fixed width does. Ends the run where two of the three differ. Rays with bounds: by
+/// exact_truth.
 Truth truth_by_formulations(const Query& query);
 
 /// Who they are, for reports.

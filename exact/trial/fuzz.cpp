@@ -52,8 +52,10 @@ struct Worker {
   std::vector<Answer> answers{};
 };
 
-bool one_culls(const std::vector<Method>& methods) {
-  return std::ranges::any_of(methods, [](const Method& m) { return m.contract.culling != Culling::none; });
+/// Whether the side from which a triangle is crossed matters to one of them.
+bool one_faces(const std::vector<Method>& methods) {
+  return std::ranges::any_of(methods,
+                             [](const Method& m) { return m.tells_side || m.contract.culling != Culling::none; });
 }
 
 Truth truth_in(const FuzzPlan& plan, std::size_t stream, std::uint64_t k, const Trial& trial, Worker& worker) {
@@ -62,7 +64,7 @@ Truth truth_in(const FuzzPlan& plan, std::size_t stream, std::uint64_t k, const 
     ++worker.audited;
     return plan.quick ? audited_truth(trial, plan.quick) : audited_by_oracles(trial, plan.formulations);
   }
-  const bool needs_facing = one_culls(plan.methods);
+  const bool needs_facing = one_faces(plan.methods);
   if (plan.quick == nullptr) return formulated_truth(trial, k, needs_facing, plan.formulations);
   return needs_facing ? quick_truth_with_facing(trial, plan.quick) : quick_truth(trial, plan.quick);
 }
@@ -88,12 +90,14 @@ void require_intact_rounding(const Method& method) {
                 method.name + " changed the floating-point environment of its thread (rounding, or flush to zero)");
 }
 
-/// In one call where the method has a form for that, of triangles.
+bool has_bounds(const Trial& trial) { return trial.query.bounds.has_value(); }
+
+/// In one call where the method has a form for that: of triangles, and of probes without bounds.
 void ask_all(const Method& method, Operands operands, Worker& worker) {
   const std::vector<Trial>& trials = worker.chunk.trials;
   worker.answers.resize(trials.size());
   const auto& at_once = method.batch ? method.batch : method.ask_each;
-  if (operands == Operands::polygons || !at_once) {
+  if (operands == Operands::polygons || !at_once || std::ranges::any_of(trials, has_bounds)) {
     std::ranges::transform(trials, worker.answers.begin(), [&](const Trial& t) { return method.ask(t.query); });
     return;
   }
@@ -107,7 +111,7 @@ void ask_all(const Method& method, Operands operands, Worker& worker) {
 Answer held_against_ask(const Method& method, const Query& query, const Answer& answer) {
   if (is_fault(answer.status)) return answer;
   require_same_when_prepared(method, query);
-  if (!method.batch || query.operands() == Operands::polygons) return answer;
+  if (!method.batch || query.bounds || query.operands() == Operands::polygons) return answer;
   const Answer by_ask = method.ask(query);
   if (is_fault(by_ask.status)) return by_ask;
   const bool same = by_ask.status == answer.status && by_ask.hit == answer.hit;

@@ -37,6 +37,7 @@ inline constexpr RandomStreams random_streams[] = {
     {"family direction", 19},
     {"family size", 20},
     {"family plain", 21},
+    {"family bounds", 22},
     {"polygon family affine", 101},
     {"polygon family scale", 102},
     {"polygon family ulp", 103},
