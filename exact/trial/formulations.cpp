@@ -5,7 +5,14 @@
 
 namespace tribunal {
 
-Truth truth_by_formulations(const Query& query) { return truth_by_formulations_on<BoundedInteger>(query); }
+Truth truth_by_formulations(const Query& query) {
+  return query.bounds ? exact_truth(query) : truth_by_formulations_on<BoundedInteger>(query);
+}
+
+const char* formulations_in_words() {
+  return "class table, Segura-Feito and Caratheodory on integers of fixed width, or GMP's where those do not hold the "
+         "operands";
+}
 
 Truth formulated_truth(const Trial& trial, std::uint64_t k, bool needs_facing, TruthBy formulations) {
   if (trial.query.bounds) return truth_of(trial, k);
@@ -20,7 +27,6 @@ Truth formulated_truth(const Trial& trial, std::uint64_t k, bool needs_facing, T
 Truth audited_by_oracles(const Trial& trial, TruthBy formulations) {
   const Truth truth = exact_truth(trial.query);
   require_fit(trial, truth);
-  if (trial.query.bounds) return truth;
   const Truth quick = formulations(trial.query);
   if (quick.class_id != truth.class_id || quick.facing != truth.facing) {
     contradiction(trial.query, "on integers the class is " + class_name(quick.class_id),

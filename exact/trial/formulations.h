@@ -9,12 +9,15 @@ namespace tribunal {
 using TruthBy = Truth (*)(const Query&);
 
 /// By the signs' class, by the Segura–Feito decision and by Carathéodory's theorem, on the narrowest integers that hold
-/// the operands; GMP's where none of fixed width does. Ends the run where two of the three differ. The query has no
-/// bounds.
+/// the operands; GMP's where none of fixed width does. Ends the run where two of the three differ. Rays with bounds: by
+/// exact_truth.
 Truth truth_by_formulations(const Query& query);
 
+/// Who they are, for reports.
+const char* formulations_in_words();
+
 /// By the formulations, and it must be what the construction proves; where a case knows its class, by that alone, but
-/// for one case in 257, as in truth_of, which judges rays with bounds alone. `needs_facing`: else it may be left unsaid.
+/// for one case in 257, as in truth_of. `needs_facing`: else it may be left unsaid.
 Truth formulated_truth(const Trial& trial, std::uint64_t k, bool needs_facing, TruthBy formulations);
 
 /// By all of exact_truth, with which the formulations must agree, whether or not a case knows its class; else the run

@@ -44,10 +44,10 @@ struct FuzzPlan {
   double seconds = 0;       ///< if > 0, stop after that time instead; `cases` is then a ceiling
   unsigned threads = 1;
   bool until_first = false;    ///< stop soon after the first finding, and keep that one alone
-  ClassBy quick = nullptr;                       ///< of triangles: judges all cases; if none, `formulations` do
-  TruthBy formulations = truth_by_formulations;  ///< of triangles
+  ClassBy quick = nullptr;     ///< of triangles: judges all cases; if none, `formulations` do
   std::string label = "fuzz";  ///< of the line of progress
   std::function<void(unsigned worker, const JudgedAnswer&)> watch{};  ///< told of every answer, in no order
+  TruthBy formulations = truth_by_formulations;                       ///< of triangles
 
   Operands operands() const { return streams.front().family->operands; }
 

@@ -70,11 +70,6 @@ const char* oracle_of(const Family& family) {
                            : oracles_of(family.operands);
 }
 
-const char* formulations_in_words() {
-  return "class table, Segura-Feito and Caratheodory on integers of fixed width, or GMP's where those do not hold the "
-         "operands";
-}
-
 const char* oracles_of(Operands operands) {
   return operands == Operands::triangles ? "class table, rational kernel, Caratheodory, CGAL where defined"
                                          : "rational kernel, point in rings twice, covering surface, Caratheodory";
