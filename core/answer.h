@@ -17,6 +17,11 @@ enum class Contact : std::uint8_t { none, interior, edge, vertex, coplanar, unsa
 /// Which part of the probe is in contact, where exactly one point is. `unsaid` otherwise.
 enum class At : std::uint8_t { unsaid, source, target, between };
 
+/// From which side a probe crosses a triangle. `front`: the vertices run counterclockwise as seen from the source.
+/// `unsaid` where it does not cross: there is no contact, it is coplanar, or the target is a polygon; and where a
+/// method does not say.
+enum class Facing : std::uint8_t { unsaid, front, back };
+
 /// `nonfinite`: an operand has a NaN or an infinity. `unsupported`: outside the method's contract. All after these
 /// are faults: the method did something else than answer, or its answers to one query differ.
 enum class Status : std::uint8_t {
@@ -54,6 +59,7 @@ struct Answer {
   Status status = Status::ok;
   Stage stage = Stage::none;
   bool planar = true;  ///< the polygon's vertices lie in one plane; true of every triangle
+  Facing facing = Facing::unsaid;
   ClassId class_id = 0;
 
   friend bool operator==(const Answer&, const Answer&) = default;
@@ -77,6 +83,11 @@ constexpr std::string_view name_of(Contact c) {
 constexpr std::string_view name_of(At a) {
   constexpr std::string_view names[] = {"", "source", "target", "between"};
   return names[static_cast<int>(a)];
+}
+
+constexpr std::string_view name_of(Facing f) {
+  constexpr std::string_view names[] = {"", "front", "back"};
+  return names[static_cast<int>(f)];
 }
 
 /// The word for a status in files; every fault is "failed".

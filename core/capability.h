@@ -19,6 +19,8 @@ enum class Capability : std::uint8_t {
   prepared_polygon,   ///< prepares a polygon
   prepared_ray,       ///< prepares a ray
   tree_lanes,         ///< its filter is the one that the tree's vector lanes compute
+  bounds,             ///< takes rays with bounds on t
+  side,               ///< says from which side a triangle is crossed
   weights,            ///< yields the parameter of a hit together with its barycentric weights, where it computes them
   exact_twin          ///< has an exact twin: the same test on exact numbers
 };
@@ -32,21 +34,24 @@ inline constexpr std::array all_capabilities = {Capability::contact,
                                                 Capability::prepared_polygon,
                                                 Capability::prepared_ray,
                                                 Capability::tree_lanes,
+                                                Capability::bounds,
+                                                Capability::side,
                                                 Capability::weights,
                                                 Capability::exact_twin};
 
 constexpr std::string_view name_of(Capability c) {
   constexpr std::string_view names[] = {
-      "contact",          "order",        "parameter", "class",   "batch",     "prepared triangle",
-      "prepared polygon", "prepared ray", "lanes",     "weights", "exact twin"};
+      "contact",      "order", "parameter", "class", "batch",   "prepared triangle", "prepared polygon",
+      "prepared ray", "lanes", "bounds",    "side",  "weights", "exact twin"};
   return names[static_cast<int>(c)];
 }
 
 inline bool has(const Method& m, Capability c) {
-  const bool held[] = {m.tells_contact,       m.compare_hits != nullptr, m.parameter != nullptr,
-                       m.classify != nullptr, m.batch != nullptr,        m.prepare_triangle != nullptr,
-                       m.polygon != nullptr,  m.prepare_ray != nullptr,  m.on_tree_lanes,
-                       m.hit != nullptr,      m.exact_twin != nullptr};
+  const bool held[] = {
+      m.tells_contact,        m.compare_hits != nullptr,     m.parameter != nullptr, m.classify != nullptr,
+      m.batch != nullptr,     m.prepare_triangle != nullptr, m.polygon != nullptr,   m.prepare_ray != nullptr,
+      m.on_tree_lanes,        m.within != nullptr,           m.tells_side,           m.hit != nullptr,
+      m.exact_twin != nullptr};
   return held[static_cast<std::size_t>(c)];
 }
 

@@ -10,7 +10,8 @@ std::string joined(std::string a, std::string_view separator, const std::string&
 }
 
 std::string probes_of(const Contract& c) {
-  return joined(c.probes.segments ? "segment" : "", ", ", c.probes.rays ? "ray" : "");
+  const std::string rays = joined(c.probes.rays ? "ray" : "", ", ", c.probes.bounds ? "bounded ray" : "");
+  return joined(c.probes.segments ? "segment" : "", ", ", rays);
 }
 
 std::string targets_of(const Contract& c) {
@@ -46,9 +47,11 @@ std::string boundaries_of(const Contract& c) {
 
 std::string restrictions_of(const Contract& c) {
   const char* const ends[] = {"", "open ends", "no ends"};
+  const char* const bounds[] = {"", "open bounds", "bounds unspecified"};
   std::string words = c.triangles == Triangles::proper ? "no degenerate operand" : "";
   words = joined(words, ", ", boundaries_of(c));
   words = joined(words, ", ", ends[static_cast<int>(c.ends)]);
+  words = joined(words, ", ", bounds[static_cast<int>(c.bounds)]);
   return joined(words, ", ", c.culling == Culling::back_faces ? "back faces culled" : "");
 }
 

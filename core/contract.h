@@ -14,6 +14,7 @@ namespace tribunal {
 struct Probes {
   bool segments = true;
   bool rays = true;
+  bool bounds = false;  ///< rays with bounds on t, against triangles
 
   friend bool operator==(const Probes&, const Probes&) = default;
 };
@@ -46,6 +47,7 @@ struct Contract {
   Boundary boundary = Boundary::closed;          ///< the reading of a triangle's boundary
   Boundary polygon_boundary = Boundary::closed;  ///< the reading of ring edges
   Ends ends = Ends::closed;                      ///< the reading of a probe's ends
+  Ends bounds = Ends::closed;                    ///< the reading of tmin and tmax, where a ray has bounds
   Culling culling = Culling::none;   ///< which triangles are not hit; if any, pierced polygons are not judged
   Format format = Format::binary64;  ///< coordinates beyond this format are rounded on entry
   bool exact = false;                ///< promises the right answer to every query in its contract
@@ -57,7 +59,7 @@ struct Contract {
 /// faces are neighbours, or which points of the sets are left out.
 constexpr bool reads_point_sets(const Contract& c) {
   return c.convention != Convention::unspecified && c.boundary == Boundary::closed && c.ends == Ends::closed &&
-         c.culling == Culling::none;
+         c.bounds == Ends::closed && c.culling == Culling::none;
 }
 
 /// Whether an answer that is owed depends on the two point sets alone; where the boundary is not closed, it may be owed

@@ -14,7 +14,8 @@ namespace detail {
 /// Whether a probe whose source and target lie on these sides of a plane (or, in the plane, of a line)
 /// reaches it. Both zero means that the probe lies in it. A target at infinity is never in the plane
 /// itself: if its side is zero, the ray runs parallel.
-constexpr bool reaches(Sign source_side, Sign target_side, const Point3& /*target*/) {
+template <class X>
+constexpr bool reaches(Sign source_side, Sign target_side, const X& /*target*/) {
   return value(source_side) * value(target_side) <= 0;
 }
 
@@ -34,8 +35,8 @@ Sign lexicographic(const Point3& a, const X& x, const K& k) {
 
 /// Whether a probe that runs in the direction `heading` along its line has its target at x or beyond. The target of a
 /// ray that runs toward x, a point at infinity, always lies beyond.
-template <Kernel K>
-bool at_or_beyond(const Point3& x, const Point3& target, Sign heading, const K& k) {
+template <Kernel K, class X>
+bool at_or_beyond(const Point3& x, const X& target, Sign heading, const K& k) {
   return lexicographic(x, target, k) * heading != Sign::negative;
 }
 
@@ -47,14 +48,14 @@ bool at_or_beyond(const Point3&, const Direction&, Sign, const K&) {
 /// All four points on one line, lo ≤ hi lexicographically: does the probe meet [lo, hi]?
 template <Kernel K, class P>
 bool meets_on_line(const P& probe, const Point3& lo, const Point3& hi, const K& k) {
-  const Point3& p = source(probe);
-  const Sign heading = lexicographic(p, target(probe), k);
+  const auto& p = source(probe);
+  const Sign heading = lexicographic(base(probe), along(probe), k);
   if (heading == Sign::zero) {
-    return lexicographic(lo, p, k) != Sign::negative && lexicographic(p, hi, k) != Sign::negative;
+    return lexicographic(lo, p, k) != Sign::negative && lexicographic(hi, p, k) != Sign::positive;
   }
   const Point3& near_end = heading == Sign::positive ? lo : hi;
   const Point3& far_end = heading == Sign::positive ? hi : lo;
-  return lexicographic(p, far_end, k) * heading != Sign::negative && at_or_beyond(near_end, target(probe), heading, k);
+  return lexicographic(far_end, p, k) * heading != Sign::positive && at_or_beyond(near_end, target(probe), heading, k);
 }
 
 template <Kernel K, class P>
@@ -74,14 +75,15 @@ struct CrossingSigns {
 
 template <Kernel K, class P>
 CrossingSigns crossing_signs(Axis dropped, const P& probe, const Point3& a, const Point3& b, const K& k) {
-  const Point3& p = source(probe);
-  const auto& q = target(probe);
-  return {k.orient2d(dropped, a, b, p), k.orient2d(dropped, a, b, q), k.orient2d(dropped, p, a, q),
-          k.orient2d(dropped, p, b, q)};
+  const Point3& p = base(probe);
+  const auto& q = along(probe);
+  return {k.orient2d(dropped, a, b, source(probe)), k.orient2d(dropped, a, b, target(probe)),
+          k.orient2d(dropped, p, a, q), k.orient2d(dropped, p, b, q)};
 }
 
 /// Closed probe against closed segment ab, not all on one line. Each must reach the other's line. If either is a
-/// point, its own two signs vanish and the other pair, equal and nonzero, rejects; so no case split is needed.
+/// point, its own two signs vanish and the other pair, equal and nonzero, rejects; so no case split is needed. A part
+/// of a ray that is a point has its ray's line, and meets ab where it lies on the line ab and ab reaches its own.
 template <class X>
 bool crosses(const CrossingSigns& s, const X& probe_target) {
   return reaches(s.source_of_ab, s.target_of_ab, probe_target) && value(s.a_of_probe) * value(s.b_of_probe) <= 0;
@@ -97,7 +99,7 @@ bool meets_edge(Axis dropped, const P& probe, const Point3& a, const Point3& b, 
 /// Probe in the plane of a triangle with area, whose projection has orientation `turn` ≠ 0.
 template <Kernel K, class P>
 bool meets_in_plane(Axis dropped, Sign turn, const P& probe, const Triangle& t, const K& k) {
-  const Point3& p = source(probe);
+  const auto& p = source(probe);
   const bool starts_inside = k.orient2d(dropped, t.a, t.b, p) == turn && k.orient2d(dropped, t.b, t.c, p) == turn &&
                              k.orient2d(dropped, t.c, t.a, p) == turn;
   return starts_inside || meets_edge(dropped, probe, t.a, t.b, k) || meets_edge(dropped, probe, t.b, t.c, k) ||
@@ -108,7 +110,7 @@ bool meets_in_plane(Axis dropped, Sign turn, const P& probe, const Triangle& t, 
 /// one of the four signs is nonzero in some projection, and that projection is one-to-one on the plane.
 template <Kernel K, class P>
 bool meets_segment(const P& probe, const Point3& lo, const Point3& hi, const K& k) {
-  if (k.orient3d(source(probe), lo, hi, target(probe)) != Sign::zero) return false;
+  if (k.orient3d(base(probe), lo, hi, along(probe)) != Sign::zero) return false;
   for (const Axis dropped : all_axes) {
     const CrossingSigns s = crossing_signs(dropped, probe, lo, hi, k);
     if (!s.all_zero()) return crosses(s, target(probe));

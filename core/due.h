@@ -8,19 +8,17 @@
 
 namespace tribunal {
 
-/// From which side a probe crosses a triangle. `front`: the vertices run counterclockwise as seen from the source.
-/// `unsaid` where it does not cross: there is no contact, it is coplanar, or the target is a polygon.
-enum class Facing : std::uint8_t { unsaid, front, back };
-
 /// The exact facts of a case on which a contract can depend.
 struct Facts {
   bool of_ray = false;
   bool of_polygon = false;
+  bool bounded = false;     ///< a ray with bounds
   bool degenerate = false;  ///< the triangle has no area, or the probe is a point
   bool planar = true;       ///< the polygon's vertices lie in one plane
   Contact contact = Contact::none;
-  bool boundary = false;  ///< an edge or a vertex of the target is met
-  At at = At::unsaid;     ///< `between`: no end of the probe is in contact; `unsaid`: not known, or many points
+  bool boundary = false;   ///< an edge or a vertex of the target is met
+  At at = At::unsaid;      ///< `between`: no end of the probe is in contact; `unsaid`: not known, or many points
+  bool at_origin = false;  ///< of a ray with bounds: the contact is at t = 0
   Facing facing = Facing::unsaid;
 };
 
@@ -30,7 +28,7 @@ enum class Due : std::uint8_t { hit, miss, nothing };
 namespace due_detail {
 
 constexpr bool takes(const Contract& c, const Facts& f) {
-  if (!(f.of_ray ? c.probes.rays : c.probes.segments)) return false;
+  if (!(f.bounded ? c.probes.bounds : f.of_ray ? c.probes.rays : c.probes.segments)) return false;
   if (f.of_polygon) return c.polygons == Polygons::any || (c.polygons == Polygons::planar && f.planar);
   return c.triangles == Triangles::any || (c.triangles == Triangles::proper && !f.degenerate);
 }
@@ -38,8 +36,9 @@ constexpr bool takes(const Contract& c, const Facts& f) {
 constexpr Due in_plane(const Contract& c, const Facts& f, Boundary boundary) {
   if (c.convention == Convention::transversal) return Due::miss;
   if (c.convention == Convention::unspecified) return Due::nothing;
-  const bool turns_on_more =
-      c.ends != Ends::closed || c.culling != Culling::none || (f.boundary && boundary != Boundary::closed);
+  const bool reads_bounds = f.bounded && c.bounds != Ends::closed;
+  const bool turns_on_more = c.ends != Ends::closed || reads_bounds || c.culling != Culling::none ||
+                             (f.boundary && boundary != Boundary::closed);
   return turns_on_more ? Due::nothing : Due::hit;
 }
 
@@ -52,6 +51,13 @@ constexpr Due at_boundary(Boundary boundary) {
 constexpr Due at_end(Ends ends, At at) {
   if (ends == Ends::closed || at == At::between) return Due::hit;
   return ends == Ends::open && at != At::unsaid ? Due::miss : Due::nothing;
+}
+
+/// The ends of a ray with bounds are those that the bounds make; its origin is an end of the ray too.
+constexpr Due at_ends_of(const Contract& c, const Facts& f) {
+  if (!f.bounded) return at_end(c.ends, f.at);
+  if (f.at != At::source) return at_end(c.bounds, f.at);
+  return f.at_origin && c.bounds == Ends::closed ? at_end(c.ends, f.at) : at_end(c.bounds, f.at);
 }
 
 constexpr Due by_facing(Culling culling, Facing facing) {
@@ -74,7 +80,7 @@ constexpr Due due(const Contract& c, const Facts& f) {
   if (!takes(c, f) || (f.boundary && boundary == Boundary::unspecified)) return Due::nothing;
   if (f.contact == Contact::none) return Due::miss;
   if (f.contact == Contact::coplanar) return in_plane(c, f, boundary);
-  const Due crossing = both(by_facing(c.culling, f.facing), at_end(c.ends, f.at));
+  const Due crossing = both(by_facing(c.culling, f.facing), at_ends_of(c, f));
   return f.boundary ? both(crossing, at_boundary(boundary)) : crossing;
 }
 

@@ -32,6 +32,16 @@ concept Kernel = requires(const K& k, const Point3& p, const Direction& d, Axis 
   { k.compare_hits(r, t, t) } -> std::same_as<Sign>;
 };
 
+/// A kernel that also answers where a point o + t·d of a ray lies, by the ray's own numbers: the sign of the volume
+/// a b c x is then that of V(o) + t·V(d), where V are volumes over a b c. So it says whether a ray reaches a plane
+/// before or after t, without division. The laws of a kernel hold for such an x as for a point.
+template <class K>
+concept BoundsKernel = Kernel<K> && requires(const K& k, const Point3& p, const RayPoint& x, Axis axis) {
+  { k.orient3d(p, p, p, x) } -> std::same_as<Sign>;
+  { k.orient2d(axis, p, p, x) } -> std::same_as<Sign>;
+  { k.compare(axis, p, x) } -> std::same_as<Sign>;
+};
+
 /// The ray reaches the plane of t at parameter num/den; both are signed volumes. den = 0: never, or always.
 template <class N>
 struct HitParameter {
@@ -77,6 +87,6 @@ struct FormulaKernel {
   Sign compare_hits(const Ray& r, const Triangle& s, const Triangle& t) const { return order_of_hits<N>(r, s, t); }
 };
 
-static_assert(Kernel<FormulaKernel<float>> && Kernel<FormulaKernel<double>>);
+static_assert(BoundsKernel<FormulaKernel<float>> && BoundsKernel<FormulaKernel<double>>);
 
 }  // namespace tribunal

@@ -58,11 +58,15 @@ struct Method {
   Contract contract{};
   std::vector<Stage> stages{};  ///< the stages that can decide its answers; empty if it has none
   bool tells_contact = false;   ///< its answers say which part of the target is met
+  bool tells_side = false;      ///< its answers say from which side a triangle is crossed
   bool on_tree_lanes =
       false;  ///< its filter is the one that the tree's vector lanes compute; goes with `segment`, `ray`
 
   std::function<Answer(const Segment&, const Triangle&)> segment{};
   std::function<Answer(const Ray&, const Triangle&)> ray{};
+  /// Whether the part of the ray within the bounds meets the triangle; empty if the method takes no bounds. The contact
+  /// is that of the ray where it crosses the triangle's plane, also where the part is a point.
+  std::function<Answer(const Ray&, const Bounds&, const Triangle&)> within{};
   /// The answer of `segment` or `ray` with the class added, for methods that work from signs; else empty.
   std::function<Answer(const Probe&, const Triangle&)> classify{};
   /// Sign of t₁ − t₂ for two triangles that the ray crosses; empty if the method does not order hits.
@@ -101,11 +105,18 @@ struct Method {
   /// The answer to a query. A non-finite operand never reaches the test.
   Answer ask(const Query& query) const {
     if (!is_finite(query)) return refusal(Status::nonfinite);
+    if (query.bounds) return ask_within(query);
     const auto about = [&](const auto& probe, const auto& target) { return ask(probe, target); };
     return std::visit(about, query.probe, query.target);
   }
 
  private:
+  Answer ask_within(const Query& query) const {
+    const Ray* r = std::get_if<Ray>(&query.probe);
+    const Triangle* t = std::get_if<Triangle>(&query.target);
+    return within && r != nullptr && t != nullptr ? within(*r, *query.bounds, *t) : unsupported();
+  }
+
   Answer ask(const Segment& s, const Triangle& t) const { return segment(s, t); }
   Answer ask(const Ray& r, const Triangle& t) const { return ray(r, t); }
   Answer ask(const Segment& s, const Polygon& p) const { return takes(p) ? polygon(p).segment(s) : unsupported(); }

@@ -1,7 +1,8 @@
-// What a method is asked: a probe (segment or ray) against a target (triangle or polygon).
+// What a method is asked: a probe (segment, ray or part of a ray) against a target (triangle or polygon).
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <variant>
 
@@ -18,6 +19,7 @@ enum class Operands : std::uint8_t { triangles, polygons };
 struct Query {
   Probe probe{};
   Target target{};
+  std::optional<Bounds> bounds{};  ///< of a ray against a triangle: only the part within them is asked about
 
   Operands operands() const { return static_cast<Operands>(target.index()); }
 
@@ -30,7 +32,7 @@ struct Query {
 
 inline Query as_query(const TrianglePair& pair) { return {pair.probe, pair.triangle}; }
 
-/// The target must be a triangle.
+/// The target must be a triangle, and the probe without bounds: a pair has none.
 inline TrianglePair pair_of(const Query& query) { return {query.probe, query.triangle()}; }
 
 inline bool is_of_ray(const Query& query) { return std::holds_alternative<Ray>(query.probe); }
@@ -41,7 +43,7 @@ inline bool is_finite(const Probe& probe) {
 
 inline bool is_finite(const Query& query) {
   const auto finite = [](const auto& target) { return is_finite(target); };
-  return is_finite(query.probe) && std::visit(finite, query.target);
+  return is_finite(query.probe) && std::visit(finite, query.target) && (!query.bounds || is_finite(*query.bounds));
 }
 
 }  // namespace tribunal

@@ -31,6 +31,6 @@ struct ToleranceKernel {
   Sign snap(double x) const { return x > tolerance ? Sign::positive : x < -tolerance ? Sign::negative : Sign::zero; }
 };
 
-static_assert(Kernel<ToleranceKernel>);
+static_assert(BoundsKernel<ToleranceKernel>);
 
 }  // namespace tribunal

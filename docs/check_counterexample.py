@@ -37,7 +37,19 @@ def is_wrong(finding, due, contact, planar=True):
     if finding["expected"] != due: return False
     if finding.get("outcome") != "wrong contact": return finding.get("answered") != due
     told = finding["contact_told"], finding.get("planar_told", planar)
-    return finding.get("answered") == due and told != (contact, planar)
+    turned = finding.get("side_told", "") != finding.get("side", "")
+    return finding.get("answered") == due and (told != (contact, planar) or turned)
+
+def along(o, d, t): return [x + t * v for x, v in zip(o, d)]
+
+def part(ray, o, d, a, b, c):
+    """Of a ray with bounds: the sides of the plane at tmin and tmax, and whether the part between meets the triangle."""
+    start = along(o, d, number(ray["t"][0]))
+    side = lambda x: sign(det(sub(b, a), sub(c, a), x))
+    if ray["t"][1] == "inf":
+        return side(sub(start, a)), side(d), meet([sub(v, start) for v in (a, b, c)] + [[-x for x in d]], 3)
+    end = along(o, d, number(ray["t"][1]))
+    return side(sub(start, a)), side(sub(end, a)), meet([sub(v, s) for s in (start, end) for v in (a, b, c)], 6)
 
 def check(case):
     a, b, c = ([number(x) for x in v] for v in case["tri"])
@@ -52,6 +64,8 @@ def check(case):
     edges = [det(d, sub(u, p), sub(v, p)) for u, v in ((a, b), (b, c), (c, a))]
     exact = dict(zip(("abcp", "abcq", "pqab", "pqbc", "pqca"), map(sign, (near, far, *edges))))
     exact |= {"t": str(near / slope)} if slope else {}
+    if "t" in case.get("ray", {}):
+        exact["at_tmin"], exact["at_tmax"], hit = part(case["ray"], p, q, a, b, c)
     finding = case.get("finding", {"exact": None})
     coplanar = exact["abcp"] == exact["abcq"] == 0
     due = int(hit and not (coplanar and finding.get("convention") == "transversal"))

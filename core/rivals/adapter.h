@@ -126,11 +126,36 @@ HitOf<R> meet(const P& probe, const Triangle& t) {
   return meet<R>(probe, prepared<R>(t));
 }
 
+/// The hit of the ray with tmin ≤ t ≤ tmax, in the test's own arithmetic: the bounds are rounded to its number type,
+/// and its own t is compared with them.
+template <class R, class N = typename R::Number>
+HitOf<R> meet(const Ray& r, const Bounds& bounds, const Triangle& t) {
+  const N least = static_cast<N>(bounds.tmin);
+  const N most = std::isinf(bounds.tmax) ? unbounded<N>() : static_cast<N>(bounds.tmax);
+  HitOf<R> hit = meet_up_to<R>(lift<N>(r.o), lift<N>(r.d.v), most, prepared<R>(t));
+  if (!hit || !(hit->t >= least && hit->t <= most)) return std::nullopt;
+  return hit;
+}
+
+/// A hit of a test that culls is one from the front.
+template <class R>
+Answer hit_of_rival() {
+  Answer answer = hit_at(Contact::unsaid);
+  if (R::contract.culling == Culling::back_faces) answer.facing = Facing::front;
+  return answer;
+}
+
 /// A rival computes coordinates of the hit, not signs, so it does not say which contact a hit is.
 template <class R, class P, class T>
 Answer answer_of(const P& probe, const T& t) {
   if (std::is_same_v<P, Ray> && !takes_rays<R>) return refusal(Status::unsupported);
-  return meet<R>(probe, t) ? hit_at(Contact::unsaid) : miss();
+  return meet<R>(probe, t) ? hit_of_rival<R>() : miss();
+}
+
+template <class R>
+Answer answer_within(const Ray& r, const Bounds& bounds, const Triangle& t) {
+  if constexpr (takes_rays<R>) return meet<R>(r, bounds, t) ? hit_of_rival<R>() : miss();
+  return refusal(Status::unsupported);
 }
 
 /// The answer to a query about a triangle, as `Method::ask` gives it.
@@ -138,6 +163,7 @@ template <class R>
 Answer answer_to(const Query& query) {
   if (!is_finite(query)) return refusal(Status::nonfinite);
   if (query.operands() != Operands::triangles) return refusal(Status::unsupported);
+  if (query.bounds) return answer_within<R>(std::get<Ray>(query.probe), *query.bounds, query.triangle());
   return std::visit([&](const auto& probe) { return answer_of<R>(probe, query.triangle()); }, query.probe);
 }
 
@@ -254,7 +280,11 @@ Method rival_method() {
            .segment = answer_of<R, Segment, Triangle>,
            .ray = answer_of<R, Ray, Triangle>};
   m.contract.format = format;
+  m.tells_side = R::contract.culling == Culling::back_faces;
   if constexpr (takes_rays<R>) {
+    m.contract.probes.bounds = true;
+    m.contract.bounds = R::contract.ends;
+    m.within = answer_within<R>;
     m.compare_hits = rival_detail::nearer<R>;
     m.parameter = rival_detail::parameter_of<R>;
     m.hit = rival_detail::hit_of<R>;

@@ -1,6 +1,7 @@
 #include "exact/cases/case_io.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "exact/base/failure.h"
@@ -67,8 +68,25 @@ Target to_target(const Json& object, Format format, const Where& where) {
   where.fail("missing \"tri\" or \"rings\"");
 }
 
+/// `[tmin, tmax]`: numbers of the case's format, the second perhaps "inf".
+Bounds to_bounds(const Json& value, Format format, const Where& where) {
+  if (!value.is_array() || value.size() != 2) where.fail("expected two numbers, tmin and tmax");
+  Bounds bounds{.tmin = to_number(value[0], format, where.index(0))};
+  if (value[1] != "inf") bounds.tmax = to_number(value[1], format, where.index(1));
+  if (bounds.tmin < 0) where.index(0).fail("expected tmin >= 0");
+  if (bounds.tmax < bounds.tmin) where.index(1).fail("expected tmax >= tmin, or \"inf\"");
+  return bounds;
+}
+
+std::optional<Bounds> to_bounds(const Json& object, const Query& query, Format format, const Where& where) {
+  if (!is_of_ray(query) || !object["ray"].contains("t")) return {};
+  const Where at = where.key("ray").key("t");
+  if (query.operands() != Operands::triangles) at.fail("bounds are asked about triangles, expected \"tri\"");
+  return to_bounds(object["ray"]["t"], format, at);
+}
+
 Ray to_ray(const Json& value, Format format, const Where& where) {
-  require_keys(value, {"o", "d"}, where);
+  require_keys(value, {"o", "d", "t"}, where);
   return {to_point(require(value, "o", where), format, where.key("o")),
           {to_point(require(value, "d", where), format, where.key("d"))}};
 }
@@ -104,6 +122,11 @@ void add_probe(Json& object, const Probe& probe) {
     const Ray& r = std::get<Ray>(probe);
     object["ray"] = {{"o", from_point(r.o)}, {"d", from_point(r.d.v)}};
   }
+}
+
+void add_bounds(Json& object, const Bounds& bounds) {
+  const Json end = std::isinf(bounds.tmax) ? Json("inf") : Json(hex_float(bounds.tmax));
+  object["ray"]["t"] = Json::array({hex_float(bounds.tmin), end});
 }
 
 void add_target(Json& object, const Triangle& t) {
@@ -151,6 +174,7 @@ Case to_case(const Json& object, const Where& where) {
   c.id = to_text(object, "id", where);
   c.format = to_format(object, where);
   c.query = {to_probe(object, c.format, where), to_target(object, c.format, where)};
+  c.query.bounds = to_bounds(object, c.query, c.format, where);
   c.expect = to_expectation(object, where);
   c.class_id = to_class(object, where);
   if (object.contains("rings") && object.contains("class")) {
@@ -166,6 +190,7 @@ Json from_case(const Case& c) {
   object["id"] = c.id;
   object["fmt"] = name_of(c.format);
   add_probe(object, c.query.probe);
+  if (c.query.bounds) add_bounds(object, *c.query.bounds);
   std::visit([&](const auto& target) { add_target(object, target); }, c.query.target);
   if (c.expect) object["expect"] = *c.expect ? 1 : 0;
   if (c.class_id != 0) object["class"] = class_name(c.class_id);
@@ -218,6 +243,7 @@ Json from_answer(const Case& c, const Method& method, const Answer& answer) {
   if (answer.class_id != 0) object["class"] = class_name(answer.class_id);
   if (answered && answer.contact != Contact::unsaid) object["contact"] = name_of(answer.contact);
   if (answer.at != At::unsaid) object["at"] = name_of(answer.at);
+  if (method.tells_side && answer.facing != Facing::unsaid) object["side"] = name_of(answer.facing);
   if (answer.stage != Stage::none) object["stage"] = name_of(answer.stage);
   const bool tells_planar = c.query.operands() == Operands::polygons && method.contract.polygons == Polygons::any;
   if (answered && tells_planar) object["planar"] = answer.planar;

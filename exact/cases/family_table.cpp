@@ -11,10 +11,10 @@ namespace {
 
 std::span<const Family> triangle_families() {
   static const std::array table = {
-      affine_family(),   ulp_family(),      offset_family(),    scale_family(),    zeros_family(),
-      midpoint_family(), sliver_family(),   grazing_family(),   distance_family(), near_family(),
-      flip_family(),     shared_family(),   mesh_family(),      tilt_family(),     spread_family(),
-      extreme_family(),  overflow_family(), direction_family(), size_family(),     plain_family(),
+      affine_family(), ulp_family(),     offset_family(),   scale_family(),   zeros_family(),    midpoint_family(),
+      sliver_family(), grazing_family(), distance_family(), near_family(),    flip_family(),     shared_family(),
+      mesh_family(),   tilt_family(),    spread_family(),   extreme_family(), overflow_family(), direction_family(),
+      size_family(),   plain_family(),   bounds_family(),
   };
   return table;
 }

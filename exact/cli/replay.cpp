@@ -60,7 +60,10 @@ Action declare_replay(Arguments& arguments) {
   arguments.option("FILE", o->file, "case or counterexample file (JSON Lines); - is standard input").required();
   arguments.option("--emit", o->language, "print a test to paste instead, which expects the exact answer")
       .one_of(emitted_languages());
-  arguments.option("--function", o->function, "what the test asks: FUNCTION_segment and FUNCTION_ray").shows_default();
+  arguments
+      .option("--function", o->function,
+              "what the test asks: FUNCTION_segment, FUNCTION_ray and, with bounds, FUNCTION_ray_within")
+      .shows_default();
   return with_plugins(arguments, [o] { return run_replay(*o); });
 }
 

@@ -1,10 +1,12 @@
 #include "exact/filtered/filtered.h"
 
+#include "core/due.h"
 #include "core/segura_feito.h"
 #include "exact/classes/classify.h"
 #include "exact/filtered/filtered_kernel.h"
 #include "exact/filtered/stages/exact_stages.h"
 #include "exact/filtered/term_filter.h"
+#include "exact/filtered/within_filter.h"
 
 namespace tribunal {
 
@@ -14,6 +16,14 @@ namespace {
 
 bool all_finite(const Segment& s, const Triangle& t) { return is_finite(s) && is_finite(t); }
 bool all_finite(const Ray& r, const Triangle& t) { return is_finite(r) && is_finite(t); }
+
+/// A certain answer, which says the side too.
+template <class P>
+Answer certain(bool hit, const P& probe, const Triangle& t) {
+  Answer answer = tribunal::certain(hit);
+  if (hit) answer.facing = facing(probe, t, FilteredKernel());
+  return answer;
+}
 
 template <class P>
 [[gnu::noinline]] Answer intersect_exactly(const P& probe, const Triangle& t) {
@@ -28,13 +38,16 @@ template <class P>
 template <class P>
 [[gnu::noinline]] Answer intersect_past_filter(const P& probe, const Triangle& t) {
   const std::optional<bool> hit = filter_hits_by_terms(probe, t, volume_terms_filter);
-  return hit ? certain(*hit) : intersect_exactly(probe, t);
+  return hit ? certain(*hit, probe, t) : intersect_exactly(probe, t);
 }
 
 template <class P>
 [[gnu::flatten]] Answer staged_intersect(const P& probe, const Triangle& t) {
-  const std::optional<bool> hit = filter_hits(probe, t, pair_filter<P>);
-  return hit ? certain(*hit) : intersect_past_filter(probe, t);
+  const auto c = conclude<P>(arms_of<double>(probe, t), pair_filter<P>);
+  if (c.hit == c.miss) return intersect_past_filter(probe, t);
+  Answer answer = tribunal::certain(c.hit);
+  if (c.hit) answer.facing = c.volumes.sides.toward < 0 ? Facing::front : Facing::back;
+  return answer;
 }
 
 template <class P>
@@ -46,7 +59,22 @@ Answer staged_classify(const P& probe, const Triangle& t) {
   return answer;
 }
 
+[[gnu::noinline]] Answer intersect_within_exactly(const Ray& r, const Bounds& bounds, const Triangle& t) {
+  if (!all_finite(r, t) || !is_finite(bounds)) return refusal(Status::nonfinite);
+  const DefaultRounding in_this_scope;
+  Answer answer = segura_feito(r, bounds, t, RationalKernel{});
+  answer.stage = Stage::exact;
+  return answer;
+}
+
 }  // namespace
+
+bool hits(const Ray& r, const Bounds& bounds, const Triangle& t) { return intersect(r, bounds, t).hit; }
+
+Answer intersect(const Ray& r, const Bounds& bounds, const Triangle& t) {
+  const std::optional<bool> hit = is_finite(bounds) ? filter_hits_within(r, bounds, t) : std::nullopt;
+  return hit ? certain(*hit, r, t) : intersect_within_exactly(r, bounds, t);
+}
 
 bool hits_exactly(const Segment& s, const Triangle& t) { return intersect_exactly(s, t).hit; }
 bool hits_exactly(const Ray& r, const Triangle& t) { return intersect_exactly(r, t).hit; }

@@ -49,10 +49,17 @@ bool hits_past_filter(const Ray& r, const Triangle& t);
   return hits_past_filter(r, t);
 }
 
-/// Hit, kind of contact, end of the probe that touches, and the stage that decided.
+/// Hit, kind of contact, end of the probe that touches, side from which it crosses, and the stage that decided.
 Answer intersect(const Segment& s, const Triangle& t);
 Answer intersect(const Ray& r, const Triangle& t);
 Answer intersect(const TrianglePair& pair);
+
+/// Of the part tmin ≤ t ≤ tmax of the ray {o + t·d}: whether it has a point in common with the closed triangle. Both
+/// bounds are closed and taken as the exact numbers they are; tmin ≥ 0 must be finite, tmax ≥ tmin may be +∞. The
+/// contact is the ray's where the ray crosses the plane, also where tmin = tmax; `at` says `source` at tmin, `target`
+/// at tmax.
+bool hits(const Ray& r, const Bounds& bounds, const Triangle& t);
+Answer intersect(const Ray& r, const Bounds& bounds, const Triangle& t);
 
 /// The answer of `intersect` where the filter is certain: all volumes are nonzero, so the contact is in general
 /// position.

@@ -6,6 +6,7 @@
 #include "exact/filtered/filter.h"
 #include "exact/filtered/stages/exact_stages.h"
 #include "exact/filtered/term_filter.h"
+#include "exact/filtered/within_filter.h"
 
 namespace tribunal {
 
@@ -112,6 +113,22 @@ Sign FilteredKernel::compare_hits(const Ray& r, const Triangle& s, const Triangl
   const auto [sign, stage] =
       decide_exactly<2>(Hits{r, s, t}, [](const auto& o, const auto& k) { return k.compare_hits(o.ray, o.s, o.t); });
   return counted(sign, stage);
+}
+
+Sign FilteredKernel::orient3d(const Point3& a, const Point3& b, const Point3& c, const RayPoint& x) const {
+  if (const auto sign = SidesAlongRay(x.ray, {a, b, c}).at(x.t)) return counted(*sign, Stage::filter);
+  const DefaultRounding in_this_scope;
+  return counted(RationalKernel{}.orient3d(a, b, c, x), Stage::exact);
+}
+
+Sign FilteredKernel::orient2d(Axis dropped, const Point3& a, const Point3& b, const RayPoint& x) const {
+  const DefaultRounding in_this_scope;
+  return counted(RationalKernel{}.orient2d(dropped, a, b, x), Stage::exact);
+}
+
+Sign FilteredKernel::compare(Axis axis, const Point3& a, const RayPoint& x) const {
+  const DefaultRounding in_this_scope;
+  return counted(RationalKernel{}.compare(axis, a, x), Stage::exact);
 }
 
 Sign orient3d_exactly(const Triangle& t, const Point3& x) { return exact_orient3d(t.a, t.b, t.c, x).result; }

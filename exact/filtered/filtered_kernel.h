@@ -24,6 +24,11 @@ class FilteredKernel {
   Sign compare(Axis axis, const Point3& a, const Direction& x) const;
   Sign compare_hits(const Ray& r, const Triangle& s, const Triangle& t) const;
 
+  /// Of the points of a ray: volumes by the filter or the stage `exact`, the rest by that stage.
+  Sign orient3d(const Point3& a, const Point3& b, const Point3& c, const RayPoint& x) const;
+  Sign orient2d(Axis dropped, const Point3& a, const Point3& b, const RayPoint& x) const;
+  Sign compare(Axis axis, const Point3& a, const RayPoint& x) const;
+
  private:
   Sign counted(Sign s, Stage stage) const {
     if (tally_ != nullptr) ++(*tally_)[stage];
@@ -33,7 +38,7 @@ class FilteredKernel {
   Tally* tally_;
 };
 
-static_assert(Kernel<FilteredKernel>);
+static_assert(BoundsKernel<FilteredKernel>);
 
 /// orient3d without a filter, for callers that have tried one of their own.
 Sign orient3d_exactly(const Triangle& t, const Point3& x);

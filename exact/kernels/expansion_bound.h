@@ -51,8 +51,12 @@ inline std::optional<Sign> certain(const Estimate& e, int operations, double und
 
 /// n = 8: three differences, two products, and the sums of a minor and of two more minors.
 inline constexpr int volume_operations = 9;
+/// n = 9: the same and the sum of a point of a ray, whose product stands beside a difference.
+inline constexpr int ray_point_volume_operations = 10;
 /// n = 4: two differences, a product, a sum.
 inline constexpr int area_operations = 5;
+/// n = 5: the same of a point of a ray.
+inline constexpr int ray_point_area_operations = 6;
 /// n = 18: two volumes, their product, a sum.
 inline constexpr int order_operations = 19;
 
@@ -76,6 +80,24 @@ std::optional<Sign> volume_by_bound(const Point3& a, const Point3& b, const Poin
   return certain(estimated_volume(a, b, c, x), volume_operations, underflow);
 }
 
+/// The magnitudes of the arm from a to a point of a ray, before they cancel: |o − a| + t·|d| on each axis.
+inline Vec3<double> arm_terms(const Point3& a, const RayPoint& x) {
+  const Vec3<double> o = arm<double>(lift<double>(a), x.ray.o), d = lift<double>(x.ray.d.v);
+  return {std::fabs(o.x) + x.t * std::fabs(d.x), std::fabs(o.y) + x.t * std::fabs(d.y),
+          std::fabs(o.z) + x.t * std::fabs(d.z)};
+}
+
+/// Where a point of a ray takes part: its arm w has two terms on each axis, and both count as such. Beside the products
+/// above, each product t·d underflows by 2⁻¹⁰⁷⁵ and is multiplied by a minor of u and v.
+inline std::optional<Sign> volume_by_bound(const Point3& a, const Point3& b, const Point3& c, const RayPoint& x) {
+  const Vec3<double> o = lift<double>(a), u = arm<double>(o, b), v = arm<double>(o, c);
+  const auto sum = [](const Vec3<double>& m) { return std::fabs(m.x) + std::fabs(m.y) + std::fabs(m.z); };
+  const double lengths = (sum(u) + 1) * (sum(v) + 1);
+  const Estimate volume{det3(u, v, arm<double>(o, x)),
+                        det3(magnitudes(u), magnitudes(v), magnitudes(arm_terms(a, x))).value};
+  return certain(volume, ray_point_volume_operations, far_above_underflow * lengths);
+}
+
 /// Two products underflow.
 template <class X>
 std::optional<Sign> area_by_bound(Axis dropped, const Point3& a, const Point3& b, const X& x) {
@@ -83,6 +105,15 @@ std::optional<Sign> area_by_bound(Axis dropped, const Point3& a, const Point3& b
   const Vec2<double> f = project<double>(arm<double>(o, b), dropped), g = project<double>(arm<double>(o, x), dropped);
   const Estimate area{f.u * g.v - f.v * g.u, std::fabs(f.u * g.v) + std::fabs(f.v * g.u)};
   return certain(area, area_operations, far_above_underflow);
+}
+
+/// The same of a point of a ray: 2⁻¹⁰⁷⁵ in each t·d, times a coordinate of b − a.
+inline std::optional<Sign> area_by_bound(Axis dropped, const Point3& a, const Point3& b, const RayPoint& x) {
+  const Vec3<double> o = lift<double>(a);
+  const Vec2<double> f = project<double>(arm<double>(o, b), dropped), g = project<double>(arm<double>(o, x), dropped);
+  const Vec2<double> terms = project<double>(arm_terms(a, x), dropped);
+  const Estimate area{f.u * g.v - f.v * g.u, std::fabs(f.u * terms.v) + std::fabs(f.v * terms.u)};
+  return certain(area, ray_point_area_operations, far_above_underflow * (std::fabs(f.u) + std::fabs(f.v) + 1));
 }
 
 }  // namespace tribunal::detail

@@ -148,4 +148,24 @@ Sign ExpansionKernel::compare_hits(const Ray& r, const Triangle& s, const Triang
   return counted([&](auto& tally) { return adaptive_order({r, s, t}, tally); });
 }
 
+Sign ExpansionKernel::orient3d(const Point3& a, const Point3& b, const Point3& c, const RayPoint& x) const {
+  return counted([&](auto& tally) {
+    if (const auto s = volume_by_bound(a, b, c, x)) return by_bound(*s, tally);
+    ++tally.dyadic;
+    return RationalKernel{}.orient3d(a, b, c, x);
+  });
+}
+
+Sign ExpansionKernel::orient2d(Axis dropped, const Point3& a, const Point3& b, const RayPoint& x) const {
+  return counted([&](auto& tally) {
+    if (const auto s = area_by_bound(dropped, a, b, x)) return by_bound(*s, tally);
+    ++tally.dyadic;
+    return RationalKernel{}.orient2d(dropped, a, b, x);
+  });
+}
+
+Sign ExpansionKernel::compare(Axis axis, const Point3& a, const RayPoint& x) const {
+  return RationalKernel{}.compare(axis, a, x);
+}
+
 }  // namespace tribunal

@@ -29,6 +29,11 @@ class ExpansionKernel {
   Sign orient2d(Axis dropped, const Point3& a, const Point3& b, const Direction& x) const;
   Sign compare_hits(const Ray& r, const Triangle& s, const Triangle& t) const;
 
+  /// Of the points of a ray: by the bound, else by GMP.
+  Sign orient3d(const Point3& a, const Point3& b, const Point3& c, const RayPoint& x) const;
+  Sign orient2d(Axis dropped, const Point3& a, const Point3& b, const RayPoint& x) const;
+  Sign compare(Axis axis, const Point3& a, const RayPoint& x) const;
+
   /// The sign of one rounded difference is exact.
   template <class X>
   Sign compare(Axis axis, const Point3& a, const X& x) const {
@@ -46,6 +51,6 @@ class ExpansionKernel {
   ExpansionTally* tally_;
 };
 
-static_assert(Kernel<ExpansionKernel>);
+static_assert(BoundsKernel<ExpansionKernel>);
 
 }  // namespace tribunal

@@ -174,4 +174,18 @@ Sign ProductSumKernel::compare_hits(const Ray& r, const Triangle& s, const Trian
   return RationalKernel{}.compare_hits(r, s, t);
 }
 
+Sign ProductSumKernel::orient3d(const Point3& a, const Point3& b, const Point3& c, const RayPoint& x) const {
+  if (const auto s = volume_by_bound(a, b, c, x)) return *s;
+  return RationalKernel{}.orient3d(a, b, c, x);
+}
+
+Sign ProductSumKernel::orient2d(Axis dropped, const Point3& a, const Point3& b, const RayPoint& x) const {
+  if (const auto s = area_by_bound(dropped, a, b, x)) return *s;
+  return RationalKernel{}.orient2d(dropped, a, b, x);
+}
+
+Sign ProductSumKernel::compare(Axis axis, const Point3& a, const RayPoint& x) const {
+  return RationalKernel{}.compare(axis, a, x);
+}
+
 }  // namespace tribunal

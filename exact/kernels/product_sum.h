@@ -46,6 +46,11 @@ struct ProductSumKernel {
   Sign orient2d(Axis dropped, const Point3& a, const Point3& b, const Direction& x) const;
   Sign compare_hits(const Ray& r, const Triangle& s, const Triangle& t) const;
 
+  /// By the bound, or the reference kernel's.
+  Sign orient3d(const Point3& a, const Point3& b, const Point3& c, const RayPoint& x) const;
+  Sign orient2d(Axis dropped, const Point3& a, const Point3& b, const RayPoint& x) const;
+  Sign compare(Axis axis, const Point3& a, const RayPoint& x) const;
+
   /// The sign of one rounded difference is exact.
   template <class X>
   Sign compare(Axis axis, const Point3& a, const X& x) const {
@@ -53,6 +58,6 @@ struct ProductSumKernel {
   }
 };
 
-static_assert(Kernel<ProductSumKernel>);
+static_assert(BoundsKernel<ProductSumKernel>);
 
 }  // namespace tribunal

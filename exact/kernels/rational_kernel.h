@@ -9,6 +9,6 @@ namespace tribunal {
 /// Exact for all finite binary64 coordinates, subnormals and ±DBL_MAX included. Some microseconds a sign.
 using RationalKernel = FormulaKernel<Dyadic>;
 
-static_assert(Kernel<RationalKernel>);
+static_assert(BoundsKernel<RationalKernel>);
 
 }  // namespace tribunal

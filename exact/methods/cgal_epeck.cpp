@@ -25,6 +25,13 @@ Epeck::Vector_2 vector2(const Direction& d, Axis dropped) {
   return {w.u, w.v};
 }
 
+Epeck::Point_3 cgal(const RayPoint& x) { return cgal(x.ray.o) + Epeck::FT(x.t) * cgal(x.ray.d); }
+
+Epeck::Point_2 flat(const Epeck::Point_3& p, Axis dropped) {
+  const Vec2<Epeck::FT> w = project<Epeck::FT>(Vec3<Epeck::FT>{p.x(), p.y(), p.z()}, dropped);
+  return {w.u, w.v};
+}
+
 Sign ours(CGAL::Sign s) { return static_cast<Sign>(static_cast<int>(s)); }
 
 Vec3<Epeck::FT> exact(const Point3& p) { return {Epeck::FT(p.x), Epeck::FT(p.y), Epeck::FT(p.z)}; }
@@ -61,6 +68,20 @@ Sign EpeckKernel::compare_hits(const Ray& r, const Triangle& s, const Triangle& 
   const Epeck::FT difference = f.num * g.den - g.num * f.den;
   return ours(CGAL::sign(difference)) * ours(CGAL::sign(f.den)) * ours(CGAL::sign(g.den));
 }
+
+Sign EpeckKernel::orient3d(const Point3& a, const Point3& b, const Point3& c, const RayPoint& x) const {
+  return ours(CGAL::orientation(cgal(a), cgal(b), cgal(c), cgal(x)));
+}
+
+Sign EpeckKernel::orient2d(Axis dropped, const Point3& a, const Point3& b, const RayPoint& x) const {
+  return ours(CGAL::orientation(point2(a, dropped), point2(b, dropped), flat(cgal(x), dropped)));
+}
+
+Sign EpeckKernel::compare(Axis axis, const Point3& a, const RayPoint& x) const {
+  const int i = static_cast<int>(axis);
+  return ours(CGAL::compare(cgal(x)[i], Epeck::FT(a[i])));
+}
+
 Method sf_epeck() {
   return segura_feito_method({.number = "CGAL lazy exact numbers",
                               .summary = "five signs by CGAL's EPECK: lazy exact arithmetic",

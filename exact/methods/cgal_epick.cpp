@@ -51,6 +51,55 @@ struct AreaToward {
   }
 };
 
+/// The arm from a to the point o + t·d.
+template <class K>
+Vec3<typename K::FT> arm_along(const CGAL::Point_3<K>& a, const CGAL::Point_3<K>& o, const CGAL::Vector_3<K>& d,
+                               const typename K::FT& t) {
+  using FT = typename K::FT;
+  const Vec3<FT> w = coordinates(o) - coordinates(a), v = coordinates(d);
+  return {FT(w.x + t * v.x), FT(w.y + t * v.y), FT(w.z + t * v.z)};
+}
+
+/// The number t is carried as a coordinate, which the converters of Filtered_predicate know how to convert.
+template <class K>
+struct VolumeAlong {
+  using FT = typename K::FT;
+  using Point = CGAL::Point_3<K>;
+  using result_type = SignOf<FT>;
+
+  result_type operator()(const Point& a, const Point& b, const Point& c, const Point& o, const CGAL::Vector_3<K>& d,
+                         const Point& t) const {
+    return CGAL::sign(
+        det3<FT>(coordinates(b) - coordinates(a), coordinates(c) - coordinates(a), arm_along<K>(a, o, d, t.x())));
+  }
+};
+
+template <class K>
+struct AreaAlong {
+  using FT = typename K::FT;
+  using Point = CGAL::Point_3<K>;
+  using result_type = SignOf<FT>;
+
+  result_type operator()(int dropped, const Point& a, const Point& b, const Point& o, const CGAL::Vector_3<K>& d,
+                         const Point& t) const {
+    const Vec2<FT> f = project<FT>(coordinates(b) - coordinates(a), static_cast<Axis>(dropped));
+    const Vec2<FT> g = project<FT>(arm_along<K>(a, o, d, t.x()), static_cast<Axis>(dropped));
+    return CGAL::sign(FT(f.u * g.v - f.v * g.u));
+  }
+};
+
+template <class K>
+struct LengthAlong {
+  using FT = typename K::FT;
+  using Point = CGAL::Point_3<K>;
+  using result_type = SignOf<FT>;
+
+  result_type operator()(int axis, const Point& a, const Point& o, const CGAL::Vector_3<K>& d, const Point& t) const {
+    const Vec3<FT> w = arm_along<K>(a, o, d, t.x());
+    return CGAL::sign(coordinate<FT>(w, static_cast<Axis>(axis)));
+  }
+};
+
 template <class K>
 struct OrderOfHits {
   using FT = typename K::FT;
@@ -81,6 +130,9 @@ Epick::Point_3 cgal(const Point3& p) { return {p.x, p.y, p.z}; }
 Epick::Vector_3 cgal(const Direction& d) { return {d.v.x, d.v.y, d.v.z}; }
 Epick::Triangle_3 cgal(const Triangle& t) { return {cgal(t.a), cgal(t.b), cgal(t.c)}; }
 
+/// A number as the first coordinate of a point.
+Epick::Point_3 number(double t) { return {t, 0, 0}; }
+
 Epick::Point_2 flat(const Point3& p, Axis dropped) {
   const Vec2<double> w = project<double>(lift<double>(p), dropped);
   return {w.u, w.v};
@@ -109,6 +161,20 @@ Sign EpickKernel::orient2d(Axis dropped, const Point3& a, const Point3& b, const
 Sign EpickKernel::compare_hits(const Ray& r, const Triangle& s, const Triangle& t) const {
   return ours(Filtered<OrderOfHits>()(cgal(r.o), cgal(r.d), cgal(s), cgal(t)));
 }
+
+Sign EpickKernel::orient3d(const Point3& a, const Point3& b, const Point3& c, const RayPoint& x) const {
+  return ours(Filtered<VolumeAlong>()(cgal(a), cgal(b), cgal(c), cgal(x.ray.o), cgal(x.ray.d), number(x.t)));
+}
+
+Sign EpickKernel::orient2d(Axis dropped, const Point3& a, const Point3& b, const RayPoint& x) const {
+  return ours(
+      Filtered<AreaAlong>()(static_cast<int>(dropped), cgal(a), cgal(b), cgal(x.ray.o), cgal(x.ray.d), number(x.t)));
+}
+
+Sign EpickKernel::compare(Axis axis, const Point3& a, const RayPoint& x) const {
+  return ours(Filtered<LengthAlong>()(static_cast<int>(axis), cgal(a), cgal(x.ray.o), cgal(x.ray.d), number(x.t)));
+}
+
 Method sf_epick() {
   return segura_feito_method({.number = "CGAL filtered predicates",
                               .summary = "five signs by CGAL's EPICK: intervals first, exact rationals if needed",

@@ -12,6 +12,9 @@ struct EpickKernel {
   Sign orient2d(Axis dropped, const Point3& a, const Point3& b, const Point3& x) const;
   Sign orient2d(Axis dropped, const Point3& a, const Point3& b, const Direction& x) const;
   Sign compare_hits(const Ray& r, const Triangle& s, const Triangle& t) const;
+  Sign orient3d(const Point3& a, const Point3& b, const Point3& c, const RayPoint& x) const;
+  Sign orient2d(Axis dropped, const Point3& a, const Point3& b, const RayPoint& x) const;
+  Sign compare(Axis axis, const Point3& a, const RayPoint& x) const;
 
   /// Not CGAL's: the sign of one rounded difference is exact.
   template <class X>
@@ -27,6 +30,9 @@ struct EpeckKernel {
   Sign orient2d(Axis dropped, const Point3& a, const Point3& b, const Point3& x) const;
   Sign orient2d(Axis dropped, const Point3& a, const Point3& b, const Direction& x) const;
   Sign compare_hits(const Ray& r, const Triangle& s, const Triangle& t) const;
+  Sign orient3d(const Point3& a, const Point3& b, const Point3& c, const RayPoint& x) const;
+  Sign orient2d(Axis dropped, const Point3& a, const Point3& b, const RayPoint& x) const;
+  Sign compare(Axis axis, const Point3& a, const RayPoint& x) const;
 
   /// Not CGAL's: the sign of one rounded difference is exact.
   template <class X>
@@ -35,6 +41,6 @@ struct EpeckKernel {
   }
 };
 
-static_assert(Kernel<EpickKernel> && Kernel<EpeckKernel>);
+static_assert(BoundsKernel<EpickKernel> && BoundsKernel<EpeckKernel>);
 
 }  // namespace tribunal

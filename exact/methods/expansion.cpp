@@ -35,6 +35,9 @@ Method sf_expansion() {
     return staged([&](const auto& k) { return segura_feito(s, t, k); });
   };
   m.ray = [](const Ray& r, const Triangle& t) { return staged([&](const auto& k) { return segura_feito(r, t, k); }); };
+  m.within = [](const Ray& r, const Bounds& b, const Triangle& t) {
+    return staged([&](const auto& k) { return segura_feito(r, b, t, k); });
+  };
   m.classify = [](const Probe& probe, const Triangle& t) {
     return std::visit([&](const auto& p) { return staged([&](const auto& k) { return classify(p, t, k); }); }, probe);
   };

@@ -26,10 +26,12 @@ PreparedPolygon prepare(const Polygon& polygon, const K& k) {
 template <Kernel K>
 Method segura_feito_method(const KernelDescription& d, const K& k) {
   return {.card = {.number = d.number, .summary = d.summary, .reference = "Segura & Feito 1998, 2001"},
-          .contract = {.polygons = Polygons::any, .format = d.format, .exact = d.exact},
+          .contract = {.probes = {.bounds = true}, .polygons = Polygons::any, .format = d.format, .exact = d.exact},
           .tells_contact = true,
+          .tells_side = d.exact,
           .segment = [k](const Segment& s, const Triangle& t) { return segura_feito(s, t, k); },
           .ray = [k](const Ray& r, const Triangle& t) { return segura_feito(r, t, k); },
+          .within = [k](const Ray& r, const Bounds& b, const Triangle& t) { return segura_feito(r, b, t, k); },
           .classify =
               [k](const Probe& probe, const Triangle& t) {
                 return std::visit([&](const auto& p) { return classify(p, t, k); }, probe);

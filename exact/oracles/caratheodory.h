@@ -37,6 +37,29 @@ Generators<N, 3, 4> differences(const Ray& r, const Triangle& t) {
   return {{lift<N>(t.a) - o, lift<N>(t.b) - o, lift<N>(t.c) - o, zero - d}};
 }
 
+/// The exact point o + t·d.
+template <class N>
+Vec3<N> point_of(const RayPoint& x) {
+  const Vec3<N> o = lift<N>(x.ray.o), d = lift<N>(x.ray.d.v);
+  const N t(x.t);
+  return {N(o.x + t * d.x), N(o.y + t * d.y), N(o.z + t * d.z)};
+}
+
+/// The same for parts of a ray, from the points at which they end.
+template <class N>
+Generators<N, 6, 6> differences(const Stretch& s, const Triangle& t) {
+  const Vec3<N> p = point_of<N>(source(s)), q = point_of<N>(target(s));
+  const Vec3<N> a = lift<N>(t.a), b = lift<N>(t.b), c = lift<N>(t.c);
+  return {{a - p, b - p, c - p, a - q, b - q, c - q}};
+}
+
+template <class N>
+Generators<N, 3, 4> differences(const Tail& s, const Triangle& t) {
+  const Vec3<N> o = point_of<N>(source(s)), d = lift<N>(s.ray.d.v);
+  const Vec3<N> zero = o - o;
+  return {{lift<N>(t.a) - o, lift<N>(t.b) - o, lift<N>(t.c) - o, zero - d}};
+}
+
 namespace caratheodory_detail {
 
 /// Whether a dependency is a convex combination. Its coefficients are known up to a common factor: none may have the

@@ -35,6 +35,10 @@ class CallsHere final : public PluginCalls {
     return without_exceptions([&] { return plugin_.ask(probe, query); });
   }
 
+  int ask_within(const double* query, const double* bounds) const override {
+    return without_exceptions([&] { return plugin_.ask_within(query, bounds); });
+  }
+
   int tell(int probe, const double* query, tribunal_hit& hit) const override {
     return without_exceptions([&] { return plugin_.tell(probe, query, &hit); });
   }

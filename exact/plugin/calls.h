@@ -30,6 +30,7 @@ class PluginCalls {
   /// Answers one query after the other, as `ask` would.
   virtual void ask_each(int probe, std::size_t n, const double* queries, int* answers) const = 0;
   virtual void ask_batch(int probe, std::size_t n, const double* queries, int* answers) const = 0;
+  virtual int ask_within(const double* query, const double* bounds) const = 0;
   virtual int tell(int probe, const double* query, tribunal_hit& hit) const = 0;
   virtual std::shared_ptr<const PreparedCalls> prepare(const double* triangle) const = 0;
   virtual int ask_polygon(int probe, const double* coordinates, const tribunal_polygon& polygon) const = 0;

@@ -96,6 +96,7 @@ void read_operands(Contract& c, const tribunal_plugin& plugin, const std::string
   c.probes = {.segments = (plugin.operands & TRIBUNAL_NO_SEGMENTS) == 0,
               .rays = (plugin.operands & TRIBUNAL_NO_RAYS) == 0};
   if (plugin.abi == 1) c.probes = probes_in(text_from(plugin.contract, "contract", file));
+  c.probes.bounds = plugin.ask_within != nullptr;
   c.triangles = (plugin.operands & TRIBUNAL_NO_DEGENERATE) != 0 ? Triangles::proper : Triangles::any;
   if (plugin.ask == nullptr) c.triangles = Triangles::none;
 }
@@ -107,12 +108,16 @@ void read_readings(Contract& c, const tribunal_plugin& plugin, const std::string
   c.convention = convention_from(plugin, file);
   c.boundary = value_from(plugin.boundary, "boundary", boundaries, "one of TRIBUNAL_BOUNDARY_...", file);
   c.ends = value_from(plugin.ends, "ends", ends, "one of TRIBUNAL_ENDS_...", file);
+  c.bounds = value_from(plugin.bounds, "bounds", ends, "one of TRIBUNAL_ENDS_...", file);
   c.culling = value_from(plugin.culling, "culling", cullings, "one of TRIBUNAL_CULLS_...", file);
 }
 
 void require_whole(const tribunal_plugin& plugin, const std::string& file) {
-  if (plugin.tell == nullptr && (plugin.tells_contact != 0 || plugin.tells_t != 0)) {
-    throw bad_input(file, 0, "tell is NULL, expected a function that tells contact or t");
+  if (plugin.tell == nullptr && (plugin.tells_contact != 0 || plugin.tells_t != 0 || plugin.tells_side != 0)) {
+    throw bad_input(file, 0, "tell is NULL, expected a function that tells contact, side or t");
+  }
+  if (plugin.ask_within != nullptr && plugin.ask == nullptr) {
+    throw bad_input(file, 0, "ask is NULL, expected a function beside ask_within");
   }
   if (plugin.prepare != nullptr && plugin.ask_prepared == nullptr) {
     throw bad_input(file, 0, "ask_prepared is NULL, expected a function beside prepare");
@@ -130,9 +135,10 @@ void require_version(int abi, const std::string& file) {
 
 tribunal_plugin in_this_version(const tribunal_plugin& plugin, const std::string& file) {
   require_version(plugin.abi, file);
-  if (plugin.abi > 1) return plugin;
+  if (plugin.abi > 2) return plugin;
   tribunal_plugin whole{};
-  std::memcpy(&whole, &plugin, offsetof(tribunal_plugin, operands));
+  std::memcpy(&whole, &plugin,
+              plugin.abi == 1 ? offsetof(tribunal_plugin, operands) : offsetof(tribunal_plugin, ask_within));
   return whole;
 }
 
@@ -156,7 +162,8 @@ Method described(const tribunal_plugin& plugin, const std::string& file) {
                .summary = text_from(plugin.summary, "summary", file),
                .reference = plugin.reference != nullptr ? text_from(plugin.reference, "reference", file) : "plugin"},
       .contract = contract,
-      .tells_contact = plugin.tells_contact != 0};
+      .tells_contact = plugin.tells_contact != 0,
+      .tells_side = plugin.tells_side != 0};
 }
 
 void read_restrictions(Contract& contract, const tribunal_polygon_plugin& polygons, const std::string& file) {

@@ -92,6 +92,11 @@ std::vector<int> answer_when_prepared(const PluginCalls& calls, Reader& in) {
   return {in.complete() ? calls.prepare(triangle.data())->ask(probe, coordinates.data()) : -1};
 }
 
+std::vector<int> answer_within(const PluginCalls& calls, Reader& in) {
+  const std::vector<double> query = in.take_many<double>(15), bounds = in.take_many<double>(2);
+  return {in.complete() ? calls.ask_within(query.data(), bounds.data()) : -1};
+}
+
 std::vector<int> answers_about_polygon(const PluginCalls& calls, Reader& in) {
   const int probe = in.take<int>();
   const std::vector<double> coordinates = in.take_many<double>(6);
@@ -133,6 +138,7 @@ void answer_about_mesh(const MeshCalls& mesh, Kind kind, Reader& in, Reply& repl
 std::vector<int> answers_about_query(const PluginCalls& calls, Kind kind, Reader& in, tribunal_hit& hit) {
   if (kind == Kind::polygon) return answers_about_polygon(calls, in);
   if (kind == Kind::tell) return answer_and_more(calls, in, hit);
+  if (kind == Kind::within) return answer_within(calls, in);
   return kind == Kind::prepared ? answer_when_prepared(calls, in) : answers_about_triangles(calls, kind, in);
 }
 
@@ -198,6 +204,11 @@ Message question(int probe, const double* coordinates, const tribunal_polygon& p
   message.add(Kind::polygon).add(probe).add(coordinates, 6);
   message.add(polygon.rings).add(polygon.ends, polygon.rings);
   return message.add(polygon.vertices, 3 * polygon.ends[polygon.rings - 1]);
+}
+
+Message question_within(const double* query, const double* bounds) {
+  Message message;
+  return message.add(Kind::within).add(query, 15).add(bounds, 2);
 }
 
 Message question(std::span<const double> vertices, std::span<const std::size_t> corners) {

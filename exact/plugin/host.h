@@ -29,13 +29,26 @@ struct Introduction {
 std::optional<Introduction> introduction_in(std::vector<char> bytes);
 
 /// How queries are to be asked. About triangles: one after the other; by one call of the plugin's batch function; one
-/// query by the function that also describes the hit; or one query after preparing its triangle. About a mesh: `mesh`
-/// prepares one, and the questions after it are about the last one that was prepared.
-enum class Kind : int { each, batch, tell, prepared, polygon, mesh, mesh_closest, mesh_any, mesh_all, mesh_inside };
+/// query by the function that also describes the hit; one query after preparing its triangle; or one ray with bounds.
+/// About a mesh: `mesh` prepares one, and the questions after it are about the last one that was prepared.
+enum class Kind : int {
+  each,
+  batch,
+  tell,
+  prepared,
+  within,
+  polygon,
+  mesh,
+  mesh_closest,
+  mesh_any,
+  mesh_all,
+  mesh_inside
+};
 
 Message question(Kind kind, int probe, std::size_t n, const double* queries);
 Message question(int probe, const double* triangle, const double* coordinates);
 Message question(int probe, const double* coordinates, const tribunal_polygon& polygon);
+Message question_within(const double* query, const double* bounds);
 Message question(std::span<const double> vertices, std::span<const std::size_t> corners);
 Message question(Kind kind, std::span<const double> rays);
 

@@ -19,6 +19,10 @@ class IsolatedCalls : public PluginCalls {
     return reply_to(question(Kind::each, probe, 1, query), 1).answers[0];
   }
 
+  int ask_within(const double* query, const double* bounds) const override {
+    return reply_to(question_within(query, bounds), 1).answers[0];
+  }
+
   int tell(int probe, const double* query, tribunal_hit& hit) const override {
     const Reply reply = reply_to(question(Kind::tell, probe, 1, query), 1);
     hit = reply.hit;

@@ -99,7 +99,12 @@ struct Line {
       const std::string told = "told contact " + std::to_string(hit.contact);
       return no_answer(told, told + ", expected one of TRIBUNAL_CONTACT_...", make_query);
     }
+    if (hit.side < TRIBUNAL_SIDE_UNSAID || hit.side > TRIBUNAL_SIDE_BACK) {
+      const std::string told = "told side " + std::to_string(hit.side);
+      return no_answer(told, told + ", expected one of TRIBUNAL_SIDE_...", make_query);
+    }
     answer.contact = contacts[static_cast<std::size_t>(hit.contact)];
+    answer.facing = static_cast<Facing>(hit.side);
     return answer;
   }
 

@@ -31,16 +31,26 @@ struct Pack {
 class Caller {
  public:
   Caller(const tribunal_plugin& plugin, Line line)
-      : asks_(plugin.ask != nullptr), tells_contact_(plugin.tells_contact != 0), line_(std::move(line)) {}
+      : asks_(plugin.ask != nullptr),
+        tells_(plugin.tells_contact != 0 || plugin.tells_side != 0),
+        line_(std::move(line)) {}
 
   template <class P>
   Answer ask(const P& probe, const Triangle& t) const {
     if (!asks_) return refusal(Status::unsupported);
     const Coordinates x = coordinates_of(probe, t, line_.format);
     if (!all_finite(x)) return refusal(Status::unsupported);
-    if (tells_contact_) return tell(probe, t, x).answer;
+    if (tells_) return tell(probe, t, x).answer;
     const auto query = [&] { return Query{probe, t}; };
     return line_.ask([&] { return line_.answer_from(said(line_.calls->ask(kind_of(probe), x.data())), query); }, query);
+  }
+
+  Answer ask_within(const Ray& ray, const Bounds& given, const Triangle& t) const {
+    const Coordinates x = coordinates_of(ray, t, line_.format);
+    const double bounds[] = {in_format(given.tmin, line_.format), in_format(given.tmax, line_.format)};
+    if (!all_finite(x) || std::isinf(bounds[0])) return refusal(Status::unsupported);
+    const auto query = [&] { return Query{ray, t, given}; };
+    return line_.ask([&] { return line_.answer_from(said(line_.calls->ask_within(x.data(), bounds)), query); }, query);
   }
 
   /// The parameter of the hit, if the plugin says it.
@@ -138,7 +148,7 @@ class Caller {
     return {fault.kind, detail + "in a batch of " + std::to_string(count) + ", on none of them alone"};
   }
 
-  bool asks_, tells_contact_;
+  bool asks_, tells_;
   Line line_;
 };
 
@@ -240,7 +250,7 @@ void add_batches(Method& method, const Caller& caller, const tribunal_plugin& pl
   };
   if (plugin.ask_batch != nullptr) method.batch = asking(&PluginCalls::ask_batch);
   // `ask_each`, like a batch, gets hit or miss and no contact.
-  if (isolated && plugin.tells_contact == 0) method.ask_each = asking(&PluginCalls::ask_each);
+  if (isolated && plugin.tells_contact == 0 && plugin.tells_side == 0) method.ask_each = asking(&PluginCalls::ask_each);
 }
 
 void add_triangles(Method& method, const tribunal_plugin& plugin, const Line& line) {
@@ -248,6 +258,9 @@ void add_triangles(Method& method, const tribunal_plugin& plugin, const Line& li
   method.segment = [caller](const Segment& s, const Triangle& t) { return caller.ask(s, t); };
   method.ray = [caller](const Ray& r, const Triangle& t) { return caller.ask(r, t); };
   if (plugin.ask == nullptr) return;
+  if (plugin.ask_within != nullptr) {
+    method.within = [caller](const Ray& r, const Bounds& b, const Triangle& t) { return caller.ask_within(r, b, t); };
+  }
   add_batches(method, caller, plugin, line.calls->isolated());
   method.native = native_loops_of(plugin, line);
   if (plugin.tells_t != 0) {

@@ -25,9 +25,9 @@
 extern "C" {
 #endif
 
-/* Version of this interface; grows when it changes. Libraries built for earlier versions are loaded: what version 2
- * added comes last in tribunal_plugin, what version 3 added comes last in tribunal_mesh_plugin, and zero there means
- * what the version before meant. Any other version is refused. */
+/* Version of this interface; grows when it changes. Libraries built for earlier versions are loaded: what a later
+ * version added comes last in each struct, and zero there means what the version before meant. Any other version is
+ * refused. */
 #define TRIBUNAL_PLUGIN_ABI 3
 
 /* The probe that a query holds. */
@@ -85,12 +85,22 @@ typedef int tribunal_ask(int probe, const double query[15]);
 /* n queries with probes of one kind, the i-th at queries + 15*i, each answered in answers[i]. */
 typedef void tribunal_ask_batch(int probe, size_t n, const double* queries, int* answers);
 
+/* From which side a hit crosses the triangle, or a face of a mesh (version 3). FRONT: its vertices run counterclockwise
+ * as seen from p or o. */
+enum { TRIBUNAL_SIDE_UNSAID = 0, TRIBUNAL_SIDE_FRONT = 1, TRIBUNAL_SIDE_BACK = 2 };
+
 /* What is known of a hit beside that it is one (version 2). */
 typedef struct tribunal_hit {
   int contact; /* TRIBUNAL_CONTACT_… */
   int has_t;   /* whether t is given */
   double t;    /* the point p + t*(q - p), or o + t*d */
+  int side;    /* TRIBUNAL_SIDE_… (version 3) */
 } tribunal_hit;
+
+/* A ray with bounds (version 3): o, d, a, b, c as fifteen coordinates, and tmin, tmax. The probe is the set of all
+ * o + t*d with tmin <= t <= tmax; 0 <= tmin <= tmax, tmin is finite, tmax may be infinite. Both are exact in the format
+ * that the plugin states. */
+typedef int tribunal_ask_within(const double query[15], const double bounds[2]);
 
 /* As tribunal_ask, and tells of a hit. `hit` comes zeroed, and is looked at where the answer is TRIBUNAL_HIT. */
 typedef int tribunal_tell(int probe, const double query[15], tribunal_hit* hit);
@@ -124,6 +134,11 @@ typedef struct tribunal_plugin {
   tribunal_prepare* prepare; /* or NULL; then so are the next two */
   tribunal_ask_prepared* ask_prepared; /* required with prepare */
   tribunal_release* release;           /* or NULL: nothing is to be released */
+
+  /* Version 3. */
+  tribunal_ask_within* ask_within; /* or NULL: the test takes no bounds */
+  int bounds;     /* TRIBUNAL_ENDS_…: what it makes of a contact at tmin or tmax alone, where a ray has bounds */
+  int tells_side; /* not 0: tell says the side */
 } tribunal_plugin;
 
 /* Polygons, if the test takes them: a second, optional function, tribunal_plugin_describe_polygons. A library without
@@ -177,9 +192,6 @@ typedef struct tribunal_mesh_hit {
 
 /* The i-th ray is at rays + 6*i. The closest hit; where several faces are hit at one t, any of them. */
 typedef void tribunal_mesh_closest(const void* mesh, size_t n, const double* rays, tribunal_mesh_hit* hits);
-
-/* Which side of a face is seen (version 3). FRONT: that from which its vertices run counterclockwise. */
-enum { TRIBUNAL_SIDE_UNSAID = 0, TRIBUNAL_SIDE_FRONT = 1, TRIBUNAL_SIDE_BACK = 2 };
 
 /* Where normals point (version 3). BY_VERTICES: as (b - a) x (c - a), whichever side is seen. TOWARDS_SOURCE: to the
  * side from which the ray comes. */

@@ -39,25 +39,32 @@ Json from_probes(const Probes& probes) {
   Json names = Json::array();
   if (probes.segments) names.push_back("segment");
   if (probes.rays) names.push_back("ray");
+  if (probes.bounds) names.push_back("bounded ray");
   return names;
 }
 
 Probes to_probes(const Json& names, const Where& where) {
   const auto has = [&](const char* name) { return std::ranges::find(names, Json(name)) != names.end(); };
-  if (!names.is_array() || names.size() != static_cast<std::size_t>(has("segment") + has("ray"))) {
-    where.fail("expected a list of \"segment\" and \"ray\"");
+  if (!names.is_array() || names.size() != static_cast<std::size_t>(has("segment") + has("ray") + has("bounded ray"))) {
+    where.fail("expected a list of \"segment\", \"ray\" and \"bounded ray\"");
   }
-  return {.segments = has("segment"), .rays = has("ray")};
+  return {.segments = has("segment"), .rays = has("ray"), .bounds = has("bounded ray")};
 }
 
 }  // namespace
 
 Json from_contract(const Contract& c) {
-  return {{"probes", from_probes(c.probes)}, {"triangles", name_of(c.triangles)},
-          {"polygons", name_of(c.polygons)}, {"coplanar", name_of(c.convention)},
-          {"boundary", name_of(c.boundary)}, {"polygon_boundary", name_of(c.polygon_boundary)},
-          {"ends", name_of(c.ends)},         {"culling", name_of(c.culling)},
-          {"fmt", name_of(c.format)},        {"exact", c.exact}};
+  return {{"probes", from_probes(c.probes)},
+          {"triangles", name_of(c.triangles)},
+          {"polygons", name_of(c.polygons)},
+          {"coplanar", name_of(c.convention)},
+          {"boundary", name_of(c.boundary)},
+          {"polygon_boundary", name_of(c.polygon_boundary)},
+          {"ends", name_of(c.ends)},
+          {"bounds", name_of(c.bounds)},
+          {"culling", name_of(c.culling)},
+          {"fmt", name_of(c.format)},
+          {"exact", c.exact}};
 }
 
 Contract to_contract(const Json& object, const Where& where) {
@@ -70,6 +77,7 @@ Contract to_contract(const Json& object, const Where& where) {
   read(object, "boundary", boundaries, where, c.boundary);
   read(object, "polygon_boundary", boundaries, where, c.polygon_boundary);
   read(object, "ends", all_ends, where, c.ends);
+  read_if_given(object, "bounds", all_ends, where, c.bounds);  // older logs have none
   read(object, "culling", cullings, where, c.culling);
   read(object, "fmt", formats, where, c.format);
   const Json& exact = require(object, "exact", where);
@@ -85,6 +93,7 @@ void add_readings(Json& finding, const Contract& c) {
   if (c.boundary != usual.boundary) readings["boundary"] = name_of(c.boundary);
   if (c.polygon_boundary != usual.polygon_boundary) readings["polygon_boundary"] = name_of(c.polygon_boundary);
   if (c.ends != usual.ends) readings["ends"] = name_of(c.ends);
+  if (c.bounds != usual.bounds) readings["bounds"] = name_of(c.bounds);
   if (c.culling != usual.culling) readings["culling"] = name_of(c.culling);
   if (!readings.empty()) finding["readings"] = readings;
 }
@@ -97,6 +106,7 @@ Contract readings_in(const Json& finding, const Where& where) {
   read_if_given(readings, "boundary", boundaries, where.key("readings"), c.boundary);
   read_if_given(readings, "polygon_boundary", boundaries, where.key("readings"), c.polygon_boundary);
   read_if_given(readings, "ends", all_ends, where.key("readings"), c.ends);
+  read_if_given(readings, "bounds", all_ends, where.key("readings"), c.bounds);
   read_if_given(readings, "culling", cullings, where.key("readings"), c.culling);
   return c;
 }

@@ -66,6 +66,10 @@ void add_verdict(Json& finding, const Method& method, const Query& query, const 
   if (outcome == Outcome::wrong_contact) {
     finding["contact_told"] = name_of(answer.contact);
     finding["contact"] = name_of(truth.contact);
+    if (answer.facing != truth.facing && answer.facing != Facing::unsaid) {
+      finding["side_told"] = name_of(answer.facing);
+      finding["side"] = name_of(truth.facing);
+    }
     if (answer.planar != truth.planar) finding["planar_told"] = answer.planar;
   }
 }

@@ -57,8 +57,9 @@ std::string as_name(const std::string& text) {
 struct Parts {
   std::string name;     ///< of letters, digits and _
   std::string comment;  ///< id and exact answer
-  std::string kind;     ///< "segment" or "ray"
+  std::string kind;     ///< "segment", "ray" or "ray_within"
   std::string probe{}, triangle{};
+  std::string bounds{};  ///< of a ray with bounds
   bool hit;
 };
 
@@ -67,8 +68,13 @@ Parts parts_of(const Case& c, std::size_t number, const Write& write) {
   const Truth truth = exact_truth(c.query);
   Parts parts{.name = "case_" + std::to_string(number) + "_" + as_name(c.id),
               .comment = as_comment(c.id + ": " + describe(truth)),
-              .kind = is_of_ray(c.query) ? "ray" : "segment",
+              .kind = c.query.bounds       ? "ray_within"
+                      : is_of_ray(c.query) ? "ray"
+                                           : "segment",
               .hit = truth.hit()};
+  if (const auto& b = c.query.bounds) {
+    parts.bounds = write(b->tmin) + ", " + (std::isinf(b->tmax) ? "INFINITY" : write(b->tmax));
+  }
   const Triangle& t = c.query.triangle();
   parts.triangle = joined({t.a, t.b, t.c}, write);
   parts.probe = std::visit(
@@ -80,18 +86,30 @@ Parts parts_of(const Case& c, std::size_t number, const Write& write) {
 }
 
 std::string arrays(const Parts& p) {
-  return "  const double probe[6] = {" + p.probe + "};\n  const double triangle[9] = {" + p.triangle + "};\n";
+  const std::string bounds = p.bounds.empty() ? "" : "  const double bounds[2] = {" + p.bounds + "};\n";
+  return "  const double probe[6] = {" + p.probe + "};\n" + bounds + "  const double triangle[9] = {" + p.triangle +
+         "};\n";
 }
 
-std::string call(const Parts& p, const std::string& function) { return function + "_" + p.kind + "(probe, triangle)"; }
+std::string call(const Parts& p, const std::string& function) {
+  return function + "_" + p.kind + (p.bounds.empty() ? "(probe, triangle)" : "(probe, bounds, triangle)");
+}
+
+bool any_bounds(const std::vector<Parts>& all) {
+  return std::ranges::any_of(all, [](const Parts& p) { return !p.bounds.empty(); });
+}
 
 std::string c_test(const Parts& p, const std::string& function) {
   return "/* " + p.comment + " */\nstatic void " + p.name + "(void) {\n" + arrays(p) + "  assert(" + call(p, function) +
          (p.hit ? " == 1" : " == 0") + ");\n}\n\n";
 }
 
-std::string declarations(const std::string& function) {
+std::string declarations(const std::string& function, const std::vector<Parts>& all) {
   std::string text;
+  if (any_bounds(all)) {
+    text +=
+        "int " + function + "_ray_within(const double probe[6], const double bounds[2], const double triangle[9]);\n";
+  }
   for (const char* kind : {"segment", "ray"}) {
     text += "int " + function + "_" + kind + "(const double probe[6], const double triangle[9]);\n";
   }
@@ -99,7 +117,8 @@ std::string declarations(const std::string& function) {
 }
 
 std::string c_file(const std::vector<Parts>& all, const std::string& function) {
-  std::string text = "#undef NDEBUG\n#include <assert.h>\n\n" + declarations(function), calls;
+  std::string text = "#undef NDEBUG\n#include <assert.h>\n", calls;
+  text += (any_bounds(all) ? "#include <math.h>\n\n" : "\n") + declarations(function, all);
   for (const Parts& p : all) {
     text += c_test(p, function);
     calls += "  " + p.name + "();\n";
@@ -108,7 +127,9 @@ std::string c_file(const std::vector<Parts>& all, const std::string& function) {
 }
 
 std::string gtest_file(const std::vector<Parts>& all, const std::string& function) {
-  std::string text = "#include <gtest/gtest.h>\n\nextern \"C\" {\n" + declarations(function);
+  std::string text = "#include <gtest/gtest.h>\n\n";
+  if (any_bounds(all)) text += "#include <cmath>\n\n";
+  text += "extern \"C\" {\n" + declarations(function, all);
   text.replace(text.size() - 1, 1, "}\n\n");
   for (const Parts& p : all) {
     text += "// " + p.comment + "\nTEST(Tribunal, " + p.name + ") {\n" + arrays(p) + "  EXPECT_EQ(" +
@@ -125,6 +146,21 @@ std::string signs_of(const Query& query) {
   return text;
 }
 
+/// The sides of the plane at both bounds, as an assertion; at infinity, the side to which the ray runs.
+std::string sides_in_python(const Query& query) {
+  const Ray& ray = std::get<Ray>(query.probe);
+  const Triangle& t = query.triangle();
+  const RationalKernel k;
+  const auto at = [](double x) { return "volume(a, b, c, at(p, q, '" + hex(x) + "'))"; };
+  return decide_within(ray, *query.bounds, [&](const auto& part) {
+    const bool endless = std::isinf(query.bounds->tmax);
+    return "assert [" + at(query.bounds->tmin) + ", " +
+           (endless ? "volume(a, b, c, q, True)" : at(query.bounds->tmax)) + "] == [" +
+           std::to_string(value(k.orient3d(t.a, t.b, t.c, source(part)))) + ", " +
+           std::to_string(value(k.orient3d(t.a, t.b, t.c, target(part)))) + "]\n";
+  });
+}
+
 constexpr const char* python_head = R"(from fractions import Fraction
 
 
@@ -135,6 +171,11 @@ def numbers(*texts):
 
 def minus(x, o):
     return [a - b for a, b in zip(x, o)]
+
+
+def at(o, d, t):
+    """The point o + t*d of a ray."""
+    return [x + Fraction(float.fromhex(t)) * v for x, v in zip(o, d)]
 
 
 def volume(o, b, c, x, x_is_direction=False):
@@ -156,8 +197,8 @@ std::string python_file(const std::vector<Parts>& all, const std::vector<Case>& 
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Parts& p = all[i];
     text += "# " + p.comment + "\np, q = numbers(" + p.probe + ")\na, b, c = numbers(" + p.triangle +
-            ")\nassert signs(p, q, a, b, c, " + (p.kind == "ray" ? "True" : "False") + ") == [" +
-            signs_of(cases[i].query) + "]\n";
+            ")\nassert signs(p, q, a, b, c, " + (p.kind == "segment" ? "False" : "True") + ") == [" +
+            signs_of(cases[i].query) + "]\n" + (p.bounds.empty() ? "" : sides_in_python(cases[i].query));
   }
   return text;
 }

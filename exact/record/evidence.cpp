@@ -26,6 +26,15 @@ Json evidence(const P& probe, const Triangle& t) {
   return object;
 }
 
+/// The side of the plane on which the ray is at each bound; at infinity, where it runs to.
+void add_sides(Json& object, const Ray& r, const Bounds& bounds, const Triangle& t) {
+  decide_within(r, bounds, [&](const auto& part) {
+    const RationalKernel k;
+    object["at_tmin"] = value(k.orient3d(t.a, t.b, t.c, source(part)));
+    object["at_tmax"] = value(k.orient3d(t.a, t.b, t.c, target(part)));
+  });
+}
+
 }  // namespace
 
 Json exact_evidence(const Query& query) {
@@ -33,7 +42,9 @@ Json exact_evidence(const Query& query) {
     const Truth truth = exact_truth(query);
     return {{"contact", name_of(truth.contact)}, {"planar", truth.planar}};
   }
-  return std::visit([&](const auto& probe) { return evidence(probe, query.triangle()); }, query.probe);
+  Json object = std::visit([&](const auto& probe) { return evidence(probe, query.triangle()); }, query.probe);
+  if (query.bounds) add_sides(object, std::get<Ray>(query.probe), *query.bounds, query.triangle());
+  return object;
 }
 
 }  // namespace tribunal

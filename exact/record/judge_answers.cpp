@@ -86,10 +86,21 @@ Contact contact_at(const Json& object, const Where& where) {
                             "\"");
 }
 
+/// Unsaid unless the line says it.
+Facing side_at(const Json& object, const Where& where) {
+  if (!object.contains("side")) return Facing::unsaid;
+  const std::string name = text_at(object, "side", where);
+  for (const Facing f : {Facing::front, Facing::back}) {
+    if (name == name_of(f)) return f;
+  }
+  where.key("side").fail("expected \"front\" or \"back\" of a hit, found \"" + name + "\"");
+}
+
 /// Keys that this program writes into answers but does not judge are allowed.
 Answer to_answer(const Json& object, const Where& where) {
   require_keys(
-      object, {"id", "method", "hit", "status", "class", "contact", "at", "stage", "planar", "fault", "detail"}, where);
+      object, {"id", "method", "hit", "status", "class", "contact", "at", "side", "stage", "planar", "fault", "detail"},
+      where);
   const Status status = status_at(object, where);
   if (status != Status::ok) {
     if (object.contains("hit")) where.key("hit").fail("given with a status that is not \"ok\"");
@@ -97,7 +108,10 @@ Answer to_answer(const Json& object, const Where& where) {
   }
   const Json& hit = require(object, "hit", where);
   if (hit != 0 && hit != 1) where.key("hit").fail("expected 0 or 1, found " + hit.dump());
-  return hit == 1 ? hit_at(contact_at(object, where)) : miss();
+  if (hit == 0) return miss();
+  Answer answer = hit_at(contact_at(object, where));
+  answer.facing = side_at(object, where);
+  return answer;
 }
 
 /// The answer sheets while an answer file is read.
@@ -177,7 +191,7 @@ Method method_of(const AnswerSheet& sheet, const Contract& contract) {
   method.name = sheet.method;
   method.card = {.number = "unknown", .summary = "answers computed elsewhere", .reference = ""};
   method.contract = contract;
-  method.tells_contact = true;  // where it is said
+  method.tells_contact = method.tells_side = true;  // where it is said
   return method;
 }
 

@@ -1,6 +1,7 @@
 #include "exact/relations/evidence.h"
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "exact/kernels/dyadic.h"
@@ -31,6 +32,19 @@ struct Line {
 Line line_of(const Segment& s) { return {lift<Dyadic>(s.p), lift<Dyadic>(s.q) - lift<Dyadic>(s.p), false}; }
 Line line_of(const Ray& r) { return {lift<Dyadic>(r.o), lift<Dyadic>(r.d.v), true}; }
 
+/// The part of a ray between two exact points, or from one on.
+Line line_within(const Ray& r, const Bounds& b) {
+  const Line ray = line_of(r);
+  const Dyadic tmin(b.tmin);
+  if (std::isinf(b.tmax)) return {ray.o + tmin * ray.d, ray.d, true};
+  return {ray.o + tmin * ray.d, (Dyadic(b.tmax) - tmin) * ray.d, false};
+}
+
+Line line_of(const Query& query) {
+  if (query.bounds) return line_within(std::get<Ray>(query.probe), *query.bounds);
+  return std::visit([](const auto& probe) { return line_of(probe); }, query.probe);
+}
+
 struct Lifted {
   Line probe;
   std::array<Vector, 3> v;
@@ -41,8 +55,7 @@ struct Lifted {
 
 Lifted lifted(const Query& query) {
   const Triangle& t = query.triangle();
-  return {std::visit([](const auto& probe) { return line_of(probe); }, query.probe),
-          {lift<Dyadic>(t.a), lift<Dyadic>(t.b), lift<Dyadic>(t.c)}};
+  return {line_of(query), {lift<Dyadic>(t.a), lift<Dyadic>(t.b), lift<Dyadic>(t.c)}};
 }
 
 /// The point x / w, w > 0.

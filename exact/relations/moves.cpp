@@ -144,7 +144,7 @@ Changed zero_signs(const Query& query, Format format, Draw& draw) {
 /// The ray with the direction λ·d, where λ is a power of two, times 3 where that is exact.
 Changed direction_scale(const Query& query, Format format, Draw& draw) {
   const auto* r = std::get_if<Ray>(&query.probe);
-  if (r == nullptr) return {};
+  if (r == nullptr || query.bounds) return {};  // bounds count in lengths of the direction
   const int e = static_cast<int>(draw.between(-40, 40));
   const Point3& v = r->d.v;
   const Point3 once(exact_scale(v.x, e), exact_scale(v.y, e), exact_scale(v.z, e));

@@ -1,4 +1,7 @@
 // Relations among several queries: exact subdivision, degenerate operands, and answers checked by evidence.
+#include <cmath>
+
+#include "exact/cases/families/bounds.h"
 #include "exact/relations/evidence.h"
 #include "exact/relations/rows.h"
 #include "exact/trial/observe.h"
@@ -58,13 +61,18 @@ bool agrees(const Answer& answer, const CommonPoint& x) {
   return contact && (answer.at == At::unsaid || x.at == At::unsaid || answer.at == x.at);
 }
 
+/// Whether the bounds leave one point of the ray, whose contact is the ray's, not the point's.
+bool is_point_of_ray(const Query& query) { return query.bounds && query.bounds->tmin == query.bounds->tmax; }
+
 /// What the method owes to a query whose operands have this point in common. In a plane the boundary may be met.
 Due owed_to(const Method& method, const Query& query, const CommonPoint& x) {
-  return due(method.contract, {.of_ray = std::holds_alternative<Ray>(query.probe),
+  return due(method.contract, {.of_ray = is_of_ray(query),
+                               .bounded = query.bounds.has_value(),
                                .degenerate = x.degenerate,
                                .contact = x.contact,
                                .boundary = x.contact != Contact::interior,
                                .at = x.at,
+                               .at_origin = x.at == At::source && query.bounds && query.bounds->tmin == 0,
                                .facing = x.facing});
 }
 
@@ -87,16 +95,30 @@ Instance implies(std::vector<Query> one, std::vector<Query> other) {
 }
 
 std::optional<Instance> probe_in_two(const Query& query, Format format, Draw&) {
+  if (query.bounds) return {};
   const std::vector<Probe> parts = std::visit([&](const auto& probe) { return halves(probe, format); }, query.probe);
   if (parts.empty()) return {};
   return equal({query}, {{parts[0], query.triangle()}, {parts[1], query.triangle()}});
+}
+
+/// [tmin, tmax] as [tmin, m] and [m, tmax]. m is where the ray hits, rounded, or near there, if that is within.
+std::optional<Instance> bounds_in_two(const Query& query, Format format, Draw& draw) {
+  const auto* r = std::get_if<Ray>(&query.probe);
+  if (r == nullptr) return {};
+  const Bounds whole = query.bounds.value_or(Bounds{});
+  const double m = draw_parameter(*r, query.triangle(), format, draw);
+  if (!(m >= whole.tmin && m <= whole.tmax) || std::isinf(m)) return {};
+  const Query all{query.probe, query.target, whole};
+  const Query before{query.probe, query.target, Bounds{whole.tmin, m}};
+  return equal({all}, {before, {query.probe, query.target, Bounds{m, whole.tmax}}});
 }
 
 std::optional<Instance> triangle_in_two(const Query& query, Format format, Draw& draw) {
   const Triangle t = turned(query.triangle(), draw.below(3));
   const Point3 m = exact_midpoint(t.b, t.c);
   if (!fits(m, format)) return {};
-  return equal({query}, {{query.probe, Triangle{t.a, t.b, m}}, {query.probe, Triangle{t.a, m, t.c}}});
+  const Query one{query.probe, Triangle{t.a, t.b, m}, query.bounds};
+  return equal({query}, {one, {query.probe, Triangle{t.a, m, t.c}, query.bounds}});
 }
 
 std::optional<Instance> end_as_segment(const Query& query, Format, Draw& draw) {
@@ -108,7 +130,7 @@ std::optional<Instance> end_as_segment(const Query& query, Format, Draw& draw) {
 
 std::optional<Instance> edge_as_triangle(const Query& query, Format, Draw& draw) {
   const Triangle t = turned(query.triangle(), draw.below(3));
-  return implies({{query.probe, Triangle{t.a, t.b, t.b}}}, {query});
+  return implies({{query.probe, Triangle{t.a, t.b, t.b}, query.bounds}}, {query});
 }
 
 std::optional<Instance> point_as_triangle(const Query& query, Format, Draw& draw) {
@@ -126,6 +148,7 @@ std::optional<Instance> segment_as_triangle(const Query& query, Format, Draw& dr
 }
 
 std::optional<Instance> hit_has_point(const Query& query, Format, Draw&) {
+  if (is_point_of_ray(query)) return {};
   const auto x = common_point(query);
   return Instance{{query},
                   [=](const Method& method) { return is_evident(ask_or_fail(method, query), query, x, method); }};
@@ -133,6 +156,7 @@ std::optional<Instance> hit_has_point(const Query& query, Format, Draw&) {
 
 /// A miss has a separating plane, unless the contract makes a miss of a contact.
 std::optional<Instance> miss_has_plane(const Query& query, Format, Draw&) {
+  if (is_point_of_ray(query)) return {};
   const auto x = common_point(query);
   const bool apart = has_separating_plane(query);
   const auto holds = [=](const Method& method) -> std::optional<bool> {

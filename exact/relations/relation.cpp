@@ -32,6 +32,7 @@ constexpr Relation of_triangles[] = {
     {"parts", "a triangle is hit iff one of its two parts is", triangle_in_two},
     {"point", "a hit has a point on both operands, of the contact reported", hit_has_point},
     {"plane", "a miss has a plane that separates the operands", miss_has_plane},
+    {"bounds-parts", "a ray within bounds hits iff it does within one of their two parts", bounds_in_two},
 };
 
 constexpr Relation of_polygons[] = {

@@ -27,6 +27,7 @@ Changed larger_triangle(const Query& query, Format format, Draw& draw);
 Changed ray_of_segment(const Query& query, Format format, Draw& draw);
 
 /// Parts of the operands, and degenerate operands that stand for each other.
+std::optional<Instance> bounds_in_two(const Query& query, Format format, Draw& draw);
 std::optional<Instance> probe_in_two(const Query& query, Format format, Draw& draw);
 std::optional<Instance> triangle_in_two(const Query& query, Format format, Draw& draw);
 std::optional<Instance> end_as_segment(const Query& query, Format format, Draw& draw);
@@ -42,15 +43,23 @@ std::optional<Instance> miss_has_plane(const Query& query, Format format, Draw& 
 Instance equal(std::vector<Query> one, std::vector<Query> other);
 Instance implies(std::vector<Query> one, std::vector<Query> other);
 
+/// The move of a query; it leaves the bounds of a ray as they are, as all of these do.
+template <Move move>
+Changed moved_with_bounds(const Query& query, Format format, Draw& draw) {
+  Changed changed = move(query, format, draw);
+  if (changed) changed->bounds = query.bounds;
+  return changed;
+}
+
 template <Move move>
 std::optional<Instance> keeps_answer(const Query& query, Format format, Draw& draw) {
-  const Changed changed = move(query, format, draw);
+  const Changed changed = moved_with_bounds<move>(query, format, draw);
   return changed ? equal({query}, {*changed}) : std::optional<Instance>{};
 }
 
 template <Move move>
 std::optional<Instance> keeps_hit(const Query& query, Format format, Draw& draw) {
-  const Changed changed = move(query, format, draw);
+  const Changed changed = moved_with_bounds<move>(query, format, draw);
   return changed ? implies({query}, {*changed}) : std::optional<Instance>{};
 }
 

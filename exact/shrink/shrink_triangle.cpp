@@ -73,6 +73,7 @@ bool simplify_triangle(Shrinker& s) {
     simpler |= s.scale(axis);
   }
   simpler |= s.simplify_values();
+  simpler |= s.simplify_bounds();
   return simpler || take_least_image(s);
 }
 

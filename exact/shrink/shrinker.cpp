@@ -1,6 +1,8 @@
 #include "exact/shrink/shrinker.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <span>
 
 #include "exact/trial/observe.h"
@@ -17,8 +19,17 @@ void add_vectors(QueryVectors& c, PolygonData& polygon) {
 void add_vectors(QueryVectors& c, Segment& s) { c.v.insert(c.v.end(), {&s.p, &s.q}); }
 void add_vectors(QueryVectors& c, Ray& r) { c.v.insert(c.v.end(), {&r.o, &r.d.v}); }
 
+/// Neither bound, or a simpler number.
+std::vector<double> simpler_values_of_bound(double t) {
+  std::vector<double> values{0, std::numeric_limits<double>::infinity()};
+  if (!std::isfinite(t)) return values;
+  const std::vector<double> finite = simpler_values(t);
+  values.insert(values.end(), finite.begin(), finite.end());
+  return values;
+}
+
 bool is_same_case(const Truth& a, const Truth& b) {
-  return a.class_id == b.class_id && a.contact == b.contact && a.planar == b.planar;
+  return a.class_id == b.class_id && a.contact == b.contact && a.planar == b.planar && a.at == b.at;
 }
 
 }  // namespace
@@ -36,6 +47,12 @@ QueryCost cost_of(Query query) {
   const bool triangle = query.operands() == Operands::triangles;
   const QueryVectors c = vectors_in(query);
   QueryCost cost{.vertices = c.v.size()};
+  if (query.bounds) {
+    cost.vertices += 1 + (query.bounds->tmin != 0) + std::isfinite(query.bounds->tmax);
+    for (const double t : {query.bounds->tmin, query.bounds->tmax}) {
+      if (std::isfinite(t)) cost.simplicity.add(t);
+    }
+  }
   std::size_t i = 0;
   for (const Point3* v : c.v) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -88,6 +105,26 @@ bool Shrinker::simplify_values() {
     for (const double value : distinct_values(vectors_in(best_).v, axis)) simpler |= simplify(axis, value);
   }
   return simpler;
+}
+
+bool Shrinker::simplify_bounds() {
+  bool simpler = false;
+  for (double Bounds::*const end : {&Bounds::tmin, &Bounds::tmax}) {
+    if (!best_.bounds) return simpler;
+    std::vector<double> values = simpler_values_of_bound((*best_.bounds).*end);
+    simpler |= std::ranges::any_of(values, [&](double by) { return replace_bound(end, by); });
+  }
+  return simpler;
+}
+
+bool Shrinker::replace_bound(double Bounds::*end, double by) {
+  Query candidate = best_;
+  Bounds& bounds = *candidate.bounds;
+  bounds.*end = by;
+  if (!(bounds.tmin >= 0 && bounds.tmin <= bounds.tmax) || std::isinf(bounds.tmin) || !is_exact_in(by, format_)) {
+    return false;
+  }
+  return offer(candidate);
 }
 
 bool Shrinker::simplify(int axis, double value) {

@@ -53,7 +53,11 @@ class Shrinker {
   /// All coordinates of one value on an axis move together, to 0, ±1 or fewer significand bits.
   bool simplify_values();
 
+  /// Drops the bounds of a ray, or gives them simpler values.
+  bool simplify_bounds();
+
  private:
+  bool replace_bound(double Bounds::*end, double by);
   bool simplify(int axis, double value);
   bool replace(int axis, double value, double by);
 

@@ -17,6 +17,14 @@ std::string line_of(const std::string& name, const Point3& p) {
   return line;
 }
 
+std::string line_of(const Bounds& bounds) {
+  char line[80];
+  std::snprintf(line, sizeof line, "  t = %.17g to %.17g\n", bounds.tmin, bounds.tmax);
+  return line;
+}
+
+std::string place_in_words(At at) { return at == At::source ? "tmin" : at == At::target ? "tmax" : "inside"; }
+
 std::string points_of(const Segment& s) { return line_of("p", s.p) + line_of("q", s.q); }
 std::string points_of(const Ray& r) { return line_of("o", r.o) + line_of("d", r.d.v); }
 std::string points_of(const Triangle& t) { return line_of("a", t.a) + line_of("b", t.b) + line_of("c", t.c); }
@@ -38,12 +46,15 @@ std::string describe(const Truth& truth) {
   if (truth.operands() == Operands::polygons) return said(truth) + (truth.planar ? ", planar" : ", not planar");
   const ClassRow& row = class_row(truth.class_id);
   return class_name(truth.class_id) + ": " + said(truth) + "; triangle " + row.triangle + ", " +
-         (truth.of_ray ? "ray " : "segment ") + row.probe + ", meet in: " + row.intersection;
+         (truth.of_ray ? "ray " : "segment ") + row.probe +
+         (truth.bounded ? ", without bounds meet in: " : ", meet in: ") + row.intersection +
+         (truth.bounded && truth.at != At::unsaid ? ", met at its " + place_in_words(truth.at) : "");
 }
 
 std::string points_of(const Query& query) {
   const auto points = [](const auto& operand) { return points_of(operand); };
-  return std::visit(points, query.probe) + std::visit(points, query.target);
+  const std::string bounds = query.bounds ? line_of(*query.bounds) : "";
+  return std::visit(points, query.probe) + bounds + std::visit(points, query.target);
 }
 
 std::string id_part(const Truth& truth) {

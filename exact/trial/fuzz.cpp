@@ -53,8 +53,10 @@ struct Worker {
   std::vector<Answer> answers{};
 };
 
-bool one_culls(const std::vector<Method>& methods) {
-  return std::ranges::any_of(methods, [](const Method& m) { return m.contract.culling != Culling::none; });
+/// Whether the side from which a triangle is crossed matters to one of them.
+bool one_faces(const std::vector<Method>& methods) {
+  return std::ranges::any_of(methods,
+                             [](const Method& m) { return m.tells_side || m.contract.culling != Culling::none; });
 }
 
 Truth truth_in(const FuzzPlan& plan, std::size_t stream, std::uint64_t k, const Trial& trial, Worker& worker) {
@@ -63,7 +65,7 @@ Truth truth_in(const FuzzPlan& plan, std::size_t stream, std::uint64_t k, const 
     ++worker.audited;
     return audited_truth(trial, plan.quick);
   }
-  return one_culls(plan.methods) ? quick_truth_with_facing(trial, plan.quick) : quick_truth(trial, plan.quick);
+  return one_faces(plan.methods) ? quick_truth_with_facing(trial, plan.quick) : quick_truth(trial, plan.quick);
 }
 
 void make_chunk(const FuzzPlan& plan, std::size_t stream, std::uint64_t first_k, std::uint64_t end_k, Worker& worker) {
@@ -87,12 +89,14 @@ void require_intact_rounding(const Method& method) {
                 method.name + " changed the floating-point environment of its thread (rounding, or flush to zero)");
 }
 
-/// In one call where the method has a form for that, of triangles.
+bool has_bounds(const Trial& trial) { return trial.query.bounds.has_value(); }
+
+/// In one call where the method has a form for that: of triangles, and of probes without bounds.
 void ask_all(const Method& method, Operands operands, Worker& worker) {
   const std::vector<Trial>& trials = worker.chunk.trials;
   worker.answers.resize(trials.size());
   const auto& at_once = method.batch ? method.batch : method.ask_each;
-  if (operands == Operands::polygons || !at_once) {
+  if (operands == Operands::polygons || !at_once || std::ranges::any_of(trials, has_bounds)) {
     std::ranges::transform(trials, worker.answers.begin(), [&](const Trial& t) { return method.ask(t.query); });
     return;
   }
@@ -106,7 +110,7 @@ void ask_all(const Method& method, Operands operands, Worker& worker) {
 Answer held_against_ask(const Method& method, const Query& query, const Answer& answer) {
   if (is_fault(answer.status)) return answer;
   require_same_when_prepared(method, query);
-  if (!method.batch || query.operands() == Operands::polygons) return answer;
+  if (!method.batch || query.bounds || query.operands() == Operands::polygons) return answer;
   const Answer by_ask = method.ask(query);
   if (is_fault(by_ask.status)) return by_ask;
   const bool same = by_ask.status == answer.status && by_ask.hit == answer.hit;

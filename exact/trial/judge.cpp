@@ -20,16 +20,32 @@ std::array<Facts, all_class_count + 1> facts_of_classes() {
   return facts;
 }
 
+/// What the bounds leave of the ray. In a plane they may leave a boundary contact or none.
+void narrow(Facts& facts, const Truth& truth) {
+  facts.bounded = true;
+  facts.contact = truth.contact;
+  facts.at = truth.at;
+  facts.at_origin = truth.at_origin;
+  facts.boundary &= truth.hit();
+}
+
 Facts facts_of_triangle(const Truth& truth) {
   static const auto by_class = facts_of_classes();
   Facts facts = by_class[truth.class_id];
   facts.facing = truth.facing;
+  if (truth.bounded) narrow(facts, truth);
   return facts;
+}
+
+/// Neither is unsaid, and they differ.
+bool tells_other_side(Facing told, Facing exact) {
+  return told != Facing::unsaid && exact != Facing::unsaid && told != exact;
 }
 
 /// What the method tells beside hit or miss is wrong. Batch forms may leave the contact unsaid.
 bool tells_wrongly(const Method& method, const Truth& truth, const Answer& answer) {
   if (method.contract.exact && answer.planar != truth.planar) return true;
+  if (method.tells_side && answer.hit && tells_other_side(answer.facing, truth.facing)) return true;
   return method.tells_contact && answer.hit && answer.contact != Contact::unsaid && answer.contact != truth.contact;
 }
 

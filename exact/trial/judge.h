@@ -29,8 +29,9 @@ bool owes_all(const Contract& contract, Operands operands);
 Answer within_contract(const Method& method, const Truth& truth, const Answer& answer);
 
 /// Judged by the method's own contract: coplanar contacts are misses to a transversal method, faces seen from behind to
-/// one that culls them; where the contract owes nothing, the answer is not judged. The contact of a hit is owed by
-/// methods that tell it, wherever they do. A fault is wrong everywhere: to answer is promised of every query.
+/// one that culls them; where the contract owes nothing, the answer is not judged. The contact of a hit, and the side
+/// from which the triangle is crossed, are owed by methods that tell them, wherever they do. A fault is wrong
+/// everywhere: to answer is promised of every query.
 Outcome judge(const Method& method, const Truth& truth, const Answer& answer);
 
 /// A binary32 method is on trial only where its operands are exact in binary32.

@@ -13,13 +13,23 @@ namespace {
 
 constexpr double least_share = 0x1p-20;
 
-/// The determinant is at least this share of the sum of its absolute products.
-bool is_clear(const Vec3<double>& u, const Vec3<double>& v, const Vec3<double>& w) {
+/// A determinant, and the sum of its absolute products.
+struct Volume {
+  double value, size;
+};
+
+Volume volume_with_size(const Vec3<double>& u, const Vec3<double>& v, const Vec3<double>& w) {
   const double x = std::fabs(v.y * w.z) + std::fabs(v.z * w.y);
   const double y = std::fabs(v.z * w.x) + std::fabs(v.x * w.z);
   const double z = std::fabs(v.x * w.y) + std::fabs(v.y * w.x);
   const double size = std::fabs(u.x) * x + std::fabs(u.y) * y + std::fabs(u.z) * z;
-  return std::fabs(det3(u, v, w)) > least_share * size;
+  return {det3(u, v, w), size};
+}
+
+/// The determinant is at least this share of the sum.
+bool is_clear(const Vec3<double>& u, const Vec3<double>& v, const Vec3<double>& w) {
+  const Volume volume = volume_with_size(u, v, w);
+  return std::fabs(volume.value) > least_share * volume.size;
 }
 
 /// The volume a b c x is far from zero.
@@ -27,6 +37,22 @@ template <class X>
 bool is_clear(const Point3& a, const Point3& b, const Point3& c, const X& x) {
   const Vec3<double> o = lift<double>(a);
   return is_clear(arm(o, b), arm(o, c), arm(o, x));
+}
+
+/// The point o + t·d is far from the plane, also against what cancels: its volume is V(o) + t·V(d).
+bool is_clear(const Triangle& t, const RayPoint& x) {
+  const Vec3<double> o = lift<double>(t.a), u = arm(o, t.b), v = arm(o, t.c);
+  const Volume from = volume_with_size(u, v, arm(o, x.ray.o)), along = volume_with_size(u, v, arm(o, x.ray.d));
+  return std::fabs(from.value + x.t * along.value) > least_share * (from.size + x.t * along.size);
+}
+
+/// The bounds are far from the parameter at which the ray crosses the plane.
+bool are_clear(const Bounds& bounds, const Ray& r, const Triangle& t) {
+  return is_clear(t, {r, bounds.tmin}) && (std::isinf(bounds.tmax) || is_clear(t, {r, bounds.tmax}));
+}
+
+bool has_clear_bounds(const Query& query) {
+  return !query.bounds || are_clear(*query.bounds, std::get<Ray>(query.probe), query.triangle());
 }
 
 template <class P>
@@ -114,8 +140,9 @@ const char* words_of(Cause c) {
 Severity severity_of(const Query& query, const Truth& truth) {
   if (!is_everyday(query)) return Severity::extreme;
   const auto general = [](const auto& probe, const auto& target) { return is_general(probe, target); };
-  return is_exactly_generic(truth) && std::visit(general, query.probe, query.target) ? Severity::plain
-                                                                                     : Severity::boundary;
+  return is_exactly_generic(truth) && has_clear_bounds(query) && std::visit(general, query.probe, query.target)
+             ? Severity::plain
+             : Severity::boundary;
 }
 
 Cause cause_of(const Method& method, const Query& query, const Truth& truth, Outcome outcome) {

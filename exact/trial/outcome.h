@@ -14,8 +14,8 @@
 namespace tribunal {
 
 /// `wrong_contact`: hit or miss is right, and what the method tells beside it is not: which part of the target is met,
-/// or whether the polygon is planar. `fault`: it did something else than answer. `refused`: it declined, although its
-/// contract takes the case. `not_owed`: the contract promises nothing of the case.
+/// from which side, or whether the polygon is planar. `fault`: it did something else than answer. `refused`: it
+/// declined, although its contract takes the case. `not_owed`: the contract promises nothing of the case.
 enum class Outcome : std::uint8_t { right, false_hit, false_miss, wrong_contact, fault, refused, not_owed };
 
 inline constexpr std::array wrong_outcomes = {Outcome::false_hit, Outcome::false_miss, Outcome::wrong_contact,

@@ -19,7 +19,7 @@ void require_same(const Method& method, const Query& query, const Answer& prepar
 }  // namespace
 
 void require_same_when_prepared(const Method& method, const Query& query) {
-  if (!is_finite(query) || query.operands() != Operands::triangles) return;
+  if (!is_finite(query) || query.bounds || query.operands() != Operands::triangles) return;
   if (method.prepare_triangle) {
     const PreparedTriangle t = method.prepare_triangle(query.triangle());
     const auto ask = [&](const auto& probe) { return by_prepared_triangle(t, probe); };

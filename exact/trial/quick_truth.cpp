@@ -74,7 +74,7 @@ Truth quick_truth(const Trial& trial, ClassBy quick) {
   static const auto by_class = truths_of_classes();
   const ClassId id = trial.class_id != 0 ? trial.class_id : quick(trial.query);
   if (id == 0) contradiction(trial.query, "the certified signs are in no class", "five elements always are");
-  return by_class[id];
+  return trial.query.bounds ? narrowed(by_class[id], trial.query, ProductSumKernel{}) : by_class[id];
 }
 
 Truth quick_truth_with_facing(const Trial& trial, ClassBy quick) {
@@ -94,6 +94,10 @@ Truth audited_truth(const Trial& trial, ClassBy quick) {
   if (certified != truth.class_id || by_quick.facing != truth.facing) {
     contradiction(trial.query, "the certified class is " + class_name(certified),
                   "the oracles say " + class_name(truth.class_id));
+  }
+  if (by_quick.contact != truth.contact || by_quick.at != truth.at) {
+    contradiction(trial.query, "within the bounds certified signs say " + std::string(name_of(by_quick.contact)),
+                  "the oracles say " + std::string(name_of(truth.contact)));
   }
   return truth;
 }

@@ -42,7 +42,7 @@ Truth truth_of_class(ClassId id) {
 Truth truth_in_class(ClassId id, const Query& query) {
   Truth truth = truth_of_class(id);
   truth.facing = facing_in(truth.contact, query, EpickKernel{});
-  return truth;
+  return narrowed(truth, query, EpickKernel{});
 }
 
 Truth exact_truth(const Query& query) {

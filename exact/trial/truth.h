@@ -15,7 +15,11 @@ struct Truth {
                           ///< it is coplanar
   bool of_ray = false;    ///< the probe is a ray, else a segment
   Facing facing = Facing::unsaid;  ///< known wherever the probe crosses a triangle
-  At at = At::unsaid;              ///< of a polygon: which part of the probe is in contact, where the reference says so
+  At at = At::unsaid;  ///< which part of the probe is in contact, where the reference says so: of a polygon, and of a
+                       ///< ray with bounds, whose ends these are
+  bool bounded =
+      false;  ///< the probe is a ray with bounds: the class is the ray's, all else is of what the bounds leave
+  bool at_origin = false;  ///< of a ray with bounds: it meets the triangle at t = 0
 
   bool hit() const { return contact != Contact::none; }
   Operands operands() const { return class_id != 0 ? Operands::triangles : Operands::polygons; }
@@ -33,7 +37,9 @@ Truth truth_of_class(ClassId id);
 /// do_intersect where its preconditions hold. Of a polygon: the reference kernel's covering test, with and without
 /// preparation; if it is planar, whether the point where the probe meets the plane is inside, by a generic ray and by
 /// half-open crossings; and the signed crossings of the covering surface, point by point. Ring edges are met by
-/// Carathéodory's theorem, and off the plane the contact says the same of them.
+/// Carathéodory's theorem, and off the plane the contact says the same of them. Of a ray with bounds: as above without
+/// them, and then by the same decision within the bounds, Carathéodory's theorem on the exact ends, and the parameter
+/// of the hit as a fraction.
 Truth exact_truth(const Query& query);
 
 /// By construction where a triangle case knows its class, else exact_truth, which must also be what the construction

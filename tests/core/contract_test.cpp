@@ -32,6 +32,11 @@ TEST(Contract, ProseIsMadeOfEveryValue) {
   EXPECT_EQ(in_words({.boundary = Boundary::half_open, .ends = Ends::open}),
             "segment, ray; any triangle, half-open edges, open ends");
   EXPECT_EQ(in_words({.ends = Ends::unspecified}), "segment, ray; any triangle, no ends");
+  EXPECT_EQ(in_words({.probes = {.bounds = true}}), "segment, ray, bounded ray; any triangle");
+  EXPECT_EQ(in_words({.probes = {.bounds = true}, .bounds = Ends::open}),
+            "segment, ray, bounded ray; any triangle, open bounds");
+  EXPECT_EQ(in_words({.probes = {.bounds = true}, .bounds = Ends::unspecified}),
+            "segment, ray, bounded ray; any triangle, bounds unspecified");
 }
 
 /// Two contracts with different restrictions have different prose.
@@ -160,6 +165,7 @@ TEST(Due, FacingIsTheSideOfTheSource) {
 TEST(Capabilities, AreWhatTheMethodHas) {
   Method m = published::rival_method<published::MoellerTrumbore<double>>();
   EXPECT_TRUE(has(m, Capability::order) && has(m, Capability::parameter) && has(m, Capability::weights));
+  EXPECT_TRUE(has(m, Capability::bounds) && !has(m, Capability::side));
   for (const Capability c :
        {Capability::contact, Capability::class_id, Capability::batch, Capability::prepared_triangle,
         Capability::prepared_polygon, Capability::prepared_ray, Capability::tree_lanes, Capability::exact_twin}) {
@@ -168,7 +174,8 @@ TEST(Capabilities, AreWhatTheMethodHas) {
   m.prepare_ray = [](const Ray&) -> PreparedRay { return {}; };
   m.prepare_triangle = [](const Triangle&) -> PreparedTriangle { return {}; };
   m.exact_twin = [](const Query&) { return miss(); };
-  m.on_tree_lanes = m.tells_contact = true;
+  m.on_tree_lanes = m.tells_contact = m.tells_side = true;
+  EXPECT_TRUE(has(m, Capability::side));
   for (const Capability c : {Capability::contact, Capability::prepared_triangle, Capability::prepared_ray,
                              Capability::tree_lanes, Capability::exact_twin}) {
     EXPECT_TRUE(has(m, c)) << name_of(c);

@@ -67,6 +67,7 @@ TEST(FamilyDraws, EveryFamilyAsksSegmentsAndRaysAtEveryLevel) {
       hits[ray] += answer_to(trial).hit;
     }
     for (const int ray : {0, 1}) {
+      if (ray == 0 && s.family->name == "bounds") continue;  // segments have none
       EXPECT_GT(std::ranges::min(asked[ray]), 50) << name_of(s) << (ray ? " rays" : " segments");
       EXPECT_GT(hits[ray], 100) << name_of(s) << (ray ? " rays" : " segments");
       EXPECT_GT(all[ray] - hits[ray], 100) << name_of(s) << (ray ? " rays" : " segments");

@@ -51,6 +51,7 @@ std::vector<Query> some_queries(std::uint64_t each) {
   for (const Family& family : families_of(Operands::triangles)) {
     for (std::uint64_t k = 0; k < each; ++k) {
       Query query = family.make(Format::binary64, 5, k).query;
+      query.bounds.reset();
       const Segment* s = std::get_if<Segment>(&query.probe);
       if (s != nullptr && k % 3 == 0) query.probe = Ray{s->p, {s->q}};
       queries.push_back(query);
@@ -205,6 +206,43 @@ TEST(Plugin, VersionOneIsReadAsItWas) {
   EXPECT_FALSE(method.parameter || method.prepare_triangle || method.tells_contact);
   plugin.contract = "anything";
   EXPECT_EQ(plugin_method(plugin, "x.so").contract, Contract{}) << "words that name no probe mean both";
+}
+
+/// So are those that version 2 did not have; and a ray with bounds goes to the function for it.
+TEST(Plugin, VersionThreeTakesBounds) {
+  tribunal_plugin plugin = sound_plugin();
+  plugin.ask_within = [](const double x[15], const double bounds[2]) -> int {
+    return x[0] == 1 && bounds[0] == 0.5 && bounds[1] == 2 ? TRIBUNAL_HIT : TRIBUNAL_MISS;
+  };
+  plugin.bounds = TRIBUNAL_ENDS_OPEN;
+  const Method method = plugin_method(plugin, "x.so");
+  EXPECT_TRUE(method.contract.probes.bounds);
+  EXPECT_EQ(method.contract.bounds, Ends::open);
+  const Triangle t{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
+  EXPECT_TRUE(method.ask({Ray{{1, 1, 1}, {{0, 0, -1}}}, t, Bounds{0.5, 2}}).hit);
+  EXPECT_FALSE(method.ask({Ray{{1, 1, 1}, {{0, 0, -1}}}, t, Bounds{0.5, 3}}).hit);
+  plugin.abi = 2;
+  EXPECT_EQ(plugin_method(plugin, "x.so").contract, Contract{});
+  EXPECT_EQ(plugin_method(plugin, "x.so").ask({Ray{{1, 1, 1}, {{0, 0, -1}}}, t, Bounds{0.5, 2}}).status,
+            Status::unsupported);
+  plugin.abi = TRIBUNAL_PLUGIN_ABI;
+  plugin.bounds = 7;
+  EXPECT_THROW(plugin_method(plugin, "x.so"), Failure);
+}
+
+int tell_the_side(int, const double[15], tribunal_hit* hit) {
+  hit->side = TRIBUNAL_SIDE_BACK;
+  return TRIBUNAL_HIT;
+}
+
+TEST(Plugin, TellsTheSide) {
+  tribunal_plugin plugin = sound_plugin();
+  plugin.tells_side = 1;
+  EXPECT_THROW(plugin_method(plugin, "x.so"), Failure) << "by no function";
+  plugin.tell = tell_the_side;
+  const Method method = plugin_method(plugin, "x.so");
+  EXPECT_TRUE(method.tells_side);
+  EXPECT_EQ(method.ask(through).facing, Facing::back);
 }
 
 int tell(int probe, const double x[15], tribunal_hit* hit) {

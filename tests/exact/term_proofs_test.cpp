@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "exact/filtered/term_filter.h"
+#include "exact/filtered/within_filter.h"
 #include "tests/exact/proofs.h"
 
 namespace tribunal {
@@ -156,6 +157,15 @@ TEST(TermProofs, TheSourceLinesRoundEachTermOfAnOrderAsTermsGSays) {
   expect_roundings(sign_taken(6), 72, order_value, order_bound);
 }
 
+TEST(TermProofs, TheSourceLinesRoundEachTermOfASideAsWithinGSays) {
+  const auto minors = minors_of(vector_from('a'), vector_from('d'));
+  filter_side(expanded(minors, vector_from('g')), expanded(minors, vector_from('j')), Roundings('t'), constants);
+  const auto taken = std::exchange(Roundings::compared, {});
+  Roundings::begin_anew();
+  ASSERT_FALSE(taken.empty());
+  expect_roundings(taken.back(), 12, volume_value + 2, volume_bound_roundings + 2);
+}
+
 /// The script has the rounding of the bound in it, so what is proved may be as large as K and no larger.
 void expect_covers(const FilterConstants<double>& filter, double proved, double units) {
   EXPECT_NEAR(proved / rounding, units, units * 1e-6);
@@ -166,6 +176,15 @@ TEST(TermProofs, GappaProvesTheConstants) {
   const auto proved = proved_by("terms.g");
   expect_covers(volume_terms_filter, proved.at("volume"), 8);
   expect_covers(order_terms_filter, proved.at("order"), 18);
+}
+
+TEST(TermProofs, GappaProvesTheSideOfAPointOfARay) {
+  expect_covers(side_terms_filter, proved_by("within.g").at("side"), 10);
+  const auto range = proved_by("within_range.g");
+  EXPECT_LT(range.at("e_side_filter"), side_terms_filter.tiny);
+  EXPECT_LT(range.at("m_side"), 0x1p1000);
+  EXPECT_EQ(side_terms_filter.huge, 0x1p150);
+  EXPECT_LE(side_terms_filter.k, 11 * rounding) << "what within_range.g takes it to be";
 }
 
 TEST(TermProofs, GappaProvesTheRangeGuards) {

@@ -26,12 +26,14 @@ Method ray_method(const char* name, const char* what, RayDecision decide) {
 std::vector<Method> bugs() {
   std::vector<Method> all;
   for (const auto rows : {sign_bugs, coplanar_bugs, operand_bugs, jimenez_bugs, published_bugs, filter_bugs,
-                          contraction_bugs, cgal_bugs, range_bugs, ray_bugs}) {
+                          contraction_bugs, cgal_bugs, range_bugs, ray_bugs, bounds_bugs}) {
     for (Method& m : rows()) all.push_back(std::move(m));
   }
   return all;
 }
 
-std::vector<Method> sound_twins() { return {sound_jimenez(), sound_filter(), sound_expansion(), sound_ray()}; }
+std::vector<Method> sound_twins() {
+  return {sound_jimenez(), sound_filter(), sound_expansion(), sound_ray(), sound_bounds()};
+}
 
 }  // namespace tribunal::planted

@@ -32,11 +32,13 @@ std::vector<Method> contraction_bugs();
 std::vector<Method> cgal_bugs();
 std::vector<Method> range_bugs();
 std::vector<Method> ray_bugs();
+std::vector<Method> bounds_bugs();
 
 Method sound_jimenez();
 Method sound_filter();
 Method sound_expansion();
 Method sound_ray();
+Method sound_bounds();
 
 using Decision = std::function<Answer(const Segment&, const Triangle&)>;
 using RayDecision = std::function<Answer(const Ray&, const Triangle&)>;

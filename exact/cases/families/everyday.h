@@ -14,6 +14,7 @@ inline bool is_everyday(double x) { return x == 0 || (std::fabs(x) >= 1e-4 && st
 inline bool is_everyday(const Point3& p) { return is_everyday(p.x) && is_everyday(p.y) && is_everyday(p.z); }
 inline bool is_everyday(const Segment& s) { return is_everyday(s.p) && is_everyday(s.q); }
 inline bool is_everyday(const Ray& r) { return is_everyday(r.o) && is_everyday(r.d.v); }
+inline bool is_everyday(const Bounds& b) { return is_everyday(b.tmin) && (std::isinf(b.tmax) || is_everyday(b.tmax)); }
 inline bool is_everyday(const Triangle& t) { return is_everyday(t.a) && is_everyday(t.b) && is_everyday(t.c); }
 
 inline bool is_everyday(const PolygonData& polygon) {
@@ -25,7 +26,8 @@ inline bool is_everyday(const PolygonData& polygon) {
 
 inline bool is_everyday(const Query& query) {
   const auto everyday = [](const auto& operand) { return is_everyday(operand); };
-  return std::visit(everyday, query.probe) && std::visit(everyday, query.target);
+  return std::visit(everyday, query.probe) && std::visit(everyday, query.target) &&
+         (!query.bounds || is_everyday(*query.bounds));
 }
 
 }  // namespace tribunal

@@ -25,5 +25,6 @@ Family overflow_family();
 Family direction_family();
 Family size_family();
 Family plain_family();
+Family bounds_family();
 
 }  // namespace tribunal
