@@ -102,7 +102,8 @@ TEST(Speed, HasARowForEveryCallAndForTestsThatDoNothing) {
   EXPECT_EQ(calls, expected);
   const double nothing = rows[0].times[1].median;
   for (std::size_t i = 1; i < rows.size(); ++i) {
-    if (calls[i] != "(empty loop) single rays") EXPECT_GT(rows[i].times[0].median, nothing) << calls[i];
+    if (calls[i] == "(empty loop) single rays") continue;
+    EXPECT_GT(rows[i].times[0].median, nothing) << calls[i];
   }
   for (const Json& row : to_json(rows)) EXPECT_GT(row["nanoseconds"]["median"], 0.0) << row;
 }

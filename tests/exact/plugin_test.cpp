@@ -276,7 +276,13 @@ TEST(Plugin, TellsContactAndParameter) {
   EXPECT_FALSE(method.hit) << "it does not say that it tells weights";
   plugin.tells_t = TRIBUNAL_TELLS_T + TRIBUNAL_TELLS_WEIGHTS;
   plugin.tell = [](int, const double*, tribunal_hit* hit) -> int {
-    *hit = {.contact = TRIBUNAL_CONTACT_EDGE, .has_t = 1, .t = 3, .has_weights = 1, .weight_b = 0.25, .weight_c = 0.5};
+    *hit = {.contact = TRIBUNAL_CONTACT_EDGE,
+            .has_t = 1,
+            .t = 3,
+            .side = 0,
+            .has_weights = 1,
+            .weight_b = 0.25,
+            .weight_c = 0.5};
     return TRIBUNAL_HIT;
   };
   const std::optional<HitAt> at = plugin_method(plugin, "x.so").hit({{0, 0, 1}, {{0, 0, -1}}}, through.triangle());
