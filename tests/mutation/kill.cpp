@@ -176,7 +176,13 @@ void pocket_run() {
   }
 }
 
-/// Where the triangle's corner, edge or inside is touched by an end, the answer says which end.
+Answer crossing(Contact contact, At at, bool from_front) {
+  Answer answer = hit_at(contact, at);
+  answer.facing = from_front ? Facing::front : Facing::back;
+  return answer;
+}
+
+/// Where the triangle's corner, edge or inside is touched by an end, the answer says which end, and from which side.
 void ends() {
   const Triangle t{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
   const Point3 on[] = {{1, 1, 0}, {2, 0, 0}, {4, 0, 0}};
@@ -184,11 +190,12 @@ void ends() {
   for (int i = 0; i < 3; ++i) {
     for (const double z : {1.0, -1.0}) {
       const Point3 up = on[i] + Point3(0, 0, z), down = on[i] - Point3(0, 0, z);
-      require(segura_feito(Segment{on[i], up}, t, k) == hit_at(contacts[i], At::source), "at the source");
-      require(segura_feito(Segment{up, on[i]}, t, k) == hit_at(contacts[i], At::target), "at the target");
-      require(segura_feito(Segment{up, down}, t, k) == hit_at(contacts[i], At::between), "between");
-      require(segura_feito(Ray{up, {down - up}}, t, k) == hit_at(contacts[i], At::between), "between, on a ray");
-      require(segura_feito(Ray{on[i], {up}}, t, k) == hit_at(contacts[i], At::source), "at a ray's origin");
+      require(segura_feito(Segment{on[i], up}, t, k) == crossing(contacts[i], At::source, z < 0), "at the source");
+      require(segura_feito(Segment{up, on[i]}, t, k) == crossing(contacts[i], At::target, z > 0), "at the target");
+      require(segura_feito(Segment{up, down}, t, k) == crossing(contacts[i], At::between, z > 0), "between");
+      require(segura_feito(Ray{up, {down - up}}, t, k) == crossing(contacts[i], At::between, z > 0),
+              "between, on a ray");
+      require(segura_feito(Ray{on[i], {up}}, t, k) == crossing(contacts[i], At::source, z < 0), "at a ray's origin");
     }
   }
 }
