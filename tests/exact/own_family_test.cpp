@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <set>
 #include <vector>
@@ -154,6 +155,41 @@ TEST(OwnFamily, KeepsToTheFormatsOfItsData) {
   const OwnFamily both = family_of(cases_of({{far, Format::binary64}, {through_wall, Format::binary64}}));
   EXPECT_EQ(both.formats.size(), 2u);
   EXPECT_EQ(both.family.data->left_out, "1 in binary32, beyond its range");
+}
+
+/// A ray's bounds are numbers of the case as well: exact in its format, in order, changed like the others, and aimed at
+/// where the ray hits. Where they are the only thing that changes, the hash of the numbers does.
+TEST(OwnFamily, BoundsOfRaysAreNumbersOfTheCase) {
+  Query bounded = ray_at_wall;
+  bounded.bounds = Bounds{0.1, 4.7};
+  const OwnFamily own = family_of(cases_of({{bounded, Format::binary64}}));
+  for (const Format format : own.formats) {
+    std::set<double> least, largest;
+    int at_an_end = 0;
+    for (std::uint64_t k = 0; k < 2'000; ++k) {
+      const Query query = own.family.make(format, seed, k).query;
+      ASSERT_TRUE(query.bounds && is_finite(query));
+      const auto [tmin, tmax] = *query.bounds;
+      ASSERT_TRUE(is_exact_in(tmin, format) && is_exact_in(tmax, format)) << k;
+      ASSERT_TRUE(tmin >= 0 && tmin <= tmax) << k;
+      least.insert(tmin);
+      largest.insert(tmax);
+      const At at = flagship_method().ask(query).at;
+      at_an_end += at == At::source || at == At::target;
+    }
+    EXPECT_GT(least.size(), 100u);
+    EXPECT_GT(largest.size(), 100u);
+    EXPECT_GT(at_an_end, 50);
+  }
+  Query other = bounded;
+  other.bounds->tmax = 4.75;
+  EXPECT_NE(family_of(cases_of({{other, Format::binary64}})).family.data->numbers_sha256,
+            own.family.data->numbers_sha256);
+  Query endless = bounded;
+  endless.bounds->tmax = std::numeric_limits<double>::infinity();
+  const OwnFamily of_endless = family_of(cases_of({{endless, Format::binary64}}));
+  for (std::uint64_t k = 0; k < 500; ++k)
+    ASSERT_TRUE(is_finite(of_endless.family.make(Format::binary32, seed, k).query));
 }
 
 /// Coordinates at the ends of the range neither overflow nor stop the draws.
