@@ -143,6 +143,12 @@ Crossings surface_crossings(const P& probe, const Covering& c, const K& k) {
       k);
 }
 
+/// The answer about a triangle that is a polygon: a polygon has no front.
+constexpr Answer of_polygon(Answer answer) {
+  answer.facing = Facing::unsaid;
+  return answer;
+}
+
 }  // namespace detail
 
 /// Decides whether the probe meets the prepared polygon.
@@ -155,7 +161,7 @@ Crossings surface_crossings(const P& probe, const Covering& c, const K& k) {
 /// lie on one line, every contact is coplanar.
 template <Kernel K, class P>
 Answer segura_feito(const P& probe, const Covering& c, const K& k) {
-  if (c.is_triangle()) return segura_feito(probe, c.triangle(), k);
+  if (c.is_triangle()) return detail::of_polygon(segura_feito(probe, c.triangle(), k));
   if (c.plane) return detail::meet_planar(probe, c, k);
   if (c.polygon.vertices.empty()) return miss();
   const detail::Crossings sum = detail::surface_crossings(probe, c, k);
@@ -171,7 +177,7 @@ Answer segura_feito(const P& probe, const Covering& c, const K& k) {
 template <Kernel K, class P>
 Answer segura_feito(const P& probe, const Polygon& polygon, const K& k) {
   const Covering unprepared{.polygon = polygon};
-  if (unprepared.is_triangle()) return segura_feito(probe, unprepared.triangle(), k);
+  if (unprepared.is_triangle()) return detail::of_polygon(segura_feito(probe, unprepared.triangle(), k));
   if (polygon.vertices.empty()) return miss();
   const detail::Crossings sum = detail::surface_crossings(probe, unprepared, k);
   if (sum.boundary || sum.edge_on == polygon.vertices.size()) return segura_feito(probe, cover(polygon, k), k);

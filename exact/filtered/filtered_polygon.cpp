@@ -135,7 +135,7 @@ Answer FilteredPolygon::decide(const P& probe) const {
 template <class P>
 Answer FilteredPolygon::decide_exactly(const P& probe) const {
   if (!is_finite(probe)) return refusal(Status::nonfinite);
-  if (covering_.is_triangle()) return intersect(probe, covering_.triangle());
+  if (covering_.is_triangle()) return detail::of_polygon(intersect(probe, covering_.triangle()));
   Tally tally;
   Answer answer = segura_feito(probe, covering_, FilteredKernel(&tally));
   answer.stage = tally.deepest();

@@ -99,7 +99,7 @@ void add_readings(Json& finding, const Contract& c) {
 }
 
 Contract readings_in(const Json& finding, const Where& where) {
-  Contract c{.polygons = Polygons::any};
+  Contract c{.probes = {.segments = true, .rays = true, .bounds = true}, .polygons = Polygons::any};
   read_if_given(finding, "convention", conventions, where, c.convention);
   if (!finding.contains("readings")) return c;
   const Json& readings = finding["readings"];

@@ -15,9 +15,9 @@ cat >cases.jsonl <<'EOF'
 EOF
 expect 0 classify --method sf-rational,mt-double --in cases.jsonl
 diff out - <<'EOF'
-{"id":"through","method":"sf-rational","hit":1,"status":"ok","class":"C016","contact":"interior","at":"between"}
+{"id":"through","method":"sf-rational","hit":1,"status":"ok","class":"C016","contact":"interior","at":"between","side":"front"}
 {"id":"through","method":"mt-double","hit":1,"status":"ok"}
-{"id":"corner","method":"sf-rational","hit":1,"status":"ok","class":"C017","contact":"vertex","at":"between"}
+{"id":"corner","method":"sf-rational","hit":1,"status":"ok","class":"C017","contact":"vertex","at":"between","side":"front"}
 {"id":"corner","method":"mt-double","hit":1,"status":"ok"}
 {"id":"in the plane","method":"sf-rational","hit":1,"status":"ok","class":"R077","contact":"coplanar"}
 {"id":"in the plane","method":"mt-double","hit":0,"status":"ok","contact":"none"}

@@ -20,15 +20,22 @@ Answer ray(const Point3& o, const Point3& d, const Triangle& triangle = t) {
   return segura_feito(Ray{o, {d}}, triangle, k);
 }
 
+/// A hit that crosses the triangle from this side.
+Answer crossing(Contact contact, At at, Facing facing) {
+  Answer answer = hit_at(contact, at);
+  answer.facing = facing;
+  return answer;
+}
+
 TEST(SegmentTriangle, CrossingContacts) {
-  EXPECT_EQ(segment({1, 1, 1}, {1, 1, -1}), hit_at(Contact::interior, At::between));
-  EXPECT_EQ(segment({1, 1, -1}, {1, 1, 1}), hit_at(Contact::interior, At::between));
-  EXPECT_EQ(segment({2, 0, 1}, {2, 0, -1}), hit_at(Contact::edge, At::between));
-  EXPECT_EQ(segment({2, 2, 1}, {2, 2, -1}), hit_at(Contact::edge, At::between));
-  EXPECT_EQ(segment({4, 0, 1}, {4, 0, -1}), hit_at(Contact::vertex, At::between));
-  EXPECT_EQ(segment({1, 1, 0}, {1, 1, 1}), hit_at(Contact::interior, At::source));
-  EXPECT_EQ(segment({1, 1, 1}, {1, 1, 0}), hit_at(Contact::interior, At::target));
-  EXPECT_EQ(segment({0, 0, -3}, {0, 0, 0}), hit_at(Contact::vertex, At::target));
+  EXPECT_EQ(segment({1, 1, 1}, {1, 1, -1}), crossing(Contact::interior, At::between, Facing::front));
+  EXPECT_EQ(segment({1, 1, -1}, {1, 1, 1}), crossing(Contact::interior, At::between, Facing::back));
+  EXPECT_EQ(segment({2, 0, 1}, {2, 0, -1}), crossing(Contact::edge, At::between, Facing::front));
+  EXPECT_EQ(segment({2, 2, 1}, {2, 2, -1}), crossing(Contact::edge, At::between, Facing::front));
+  EXPECT_EQ(segment({4, 0, 1}, {4, 0, -1}), crossing(Contact::vertex, At::between, Facing::front));
+  EXPECT_EQ(segment({1, 1, 0}, {1, 1, 1}), crossing(Contact::interior, At::source, Facing::back));
+  EXPECT_EQ(segment({1, 1, 1}, {1, 1, 0}), crossing(Contact::interior, At::target, Facing::front));
+  EXPECT_EQ(segment({0, 0, -3}, {0, 0, 0}), crossing(Contact::vertex, At::target, Facing::back));
 }
 
 TEST(SegmentTriangle, Misses) {
@@ -62,11 +69,11 @@ TEST(SegmentTriangle, DegenerateOperands) {
 }
 
 TEST(RayTriangle, ReachesForwardOnly) {
-  EXPECT_EQ(ray({1, 1, 5}, {0, 0, -1}), hit_at(Contact::interior, At::between));
+  EXPECT_EQ(ray({1, 1, 5}, {0, 0, -1}), crossing(Contact::interior, At::between, Facing::front));
   EXPECT_FALSE(ray({1, 1, 5}, {0, 0, 1}).hit) << "behind";
   EXPECT_FALSE(ray({1, 1, 5}, {1, 0, 0}).hit) << "parallel";
-  EXPECT_EQ(ray({1, 1, 0}, {0, 0, 1}), hit_at(Contact::interior, At::source));
-  EXPECT_EQ(ray({4, 0, 5}, {0, 0, -1}), hit_at(Contact::vertex, At::between));
+  EXPECT_EQ(ray({1, 1, 0}, {0, 0, 1}), crossing(Contact::interior, At::source, Facing::back));
+  EXPECT_EQ(ray({4, 0, 5}, {0, 0, -1}), crossing(Contact::vertex, At::between, Facing::front));
 }
 
 TEST(RayTriangle, InThePlane) {

@@ -116,7 +116,8 @@ TEST(PolygonRelations, ATriangleAsPolygonIsTheTriangle) {
     const Triangle& t = query.triangle();
     std::visit(
         [&](const auto& probe) {
-          const Answer expected = segura_feito(probe, t, k);
+          Answer expected = segura_feito(probe, t, k);
+          expected.facing = Facing::unsaid;  // a polygon has no front
           hits += expected.hit;
           for (const std::vector<Point3>& ring :
                {std::vector<Point3>{t.a, t.b, t.c}, {t.a, t.b, t.c, t.c}, {t.b, t.b, t.c, t.a}, {t.c, t.a, t.b, t.c}}) {

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/format.h"
 #include "core/segura_feito.h"
 #include "exact/filtered/rounded_parameter.h"
 #include "exact/methods/cgal_kernels.h"
@@ -33,8 +34,7 @@ Answer without_tmax(const Ray& r, const Bounds& b, const Triangle& t) { return r
 
 /// The bounds go through a variable of type float; where it cannot hold them, they are left alone.
 Answer clipped_in_float(const Ray& r, const Bounds& b, const Triangle& t) {
-  const Bounds rounded{static_cast<double>(static_cast<float>(b.tmin)),
-                       static_cast<double>(static_cast<float>(b.tmax))};
+  const Bounds rounded{to_binary32(b.tmin), to_binary32(b.tmax)};
   return std::isfinite(rounded.tmin) ? right_within(r, rounded, t) : right_within(r, b, t);
 }
 
