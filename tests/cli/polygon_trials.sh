@@ -92,7 +92,7 @@ no_polygons() { plugin bad "${@:2}" "$SOURCE_DIR/tests/plugin/broken.c" && expec
 no_polygons 'tribunal_plugin_describe_polygons returned NULL' -DPOLYGONS=NULL
 no_polygons 'ask of polygons is NULL' -DPOLYGONS=\&polygons -DASK_POLYGON=NULL
 no_polygons 'restrictions is 9, expected' -DPOLYGONS=\&polygons -DRESTRICTIONS=9
-no_polygons 'is made for version 3 of tribunal_plugin.h' -DPOLYGONS=\&polygons -DPOLYGON_ABI=3
+no_polygons 'is made for version 4 of tribunal_plugin.h' -DPOLYGONS=\&polygons -DPOLYGON_ABI=4
 plugin seven -DPOLYGONS=\&polygons -DANSWER=7 "$SOURCE_DIR/tests/plugin/broken.c"
 expect 3 fuzz --plugin seven.so --family polygon-grid --method broken --count 100 --threads 2 && says err 'seven.so: answered 7'
 plugin rounding -DPOLYGONS=\&polygons -DCHANGES_ROUNDING "$SOURCE_DIR/tests/plugin/broken.c"

@@ -200,6 +200,20 @@ void ends() {
   }
 }
 
+/// Parts of a ray: one that is a point at the plane crosses it all the same.
+void bounds() {
+  const Triangle t{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
+  const Ray down{{1, 1, 2}, {{0, 0, -1}}}, beside{{5, 5, 2}, {{0, 0, -1}}}, within{{1, 1, 0}, {{1, 0, 0}}};
+  const auto at = [&](double tmin, double tmax) { return segura_feito(down, Bounds{tmin, tmax}, t, k); };
+  require(at(2, 2) == crossing(Contact::interior, At::source, true), "both bounds at the plane");
+  require(at(2, 3) == crossing(Contact::interior, At::source, true), "tmin at the plane");
+  require(at(0, 2) == crossing(Contact::interior, At::target, true), "tmax at the plane");
+  require(at(1, 3) == crossing(Contact::interior, At::between, true), "between the bounds");
+  require(!at(0, 1).hit && !at(3, 4).hit, "outside the bounds");
+  require(!segura_feito(beside, Bounds{2, 2}, t, k).hit, "beside, both bounds at the plane");
+  require(segura_feito(within, Bounds{1, 1}, t, k).contact == Contact::coplanar, "in the plane");
+}
+
 Point3 lattice_point(int i) { return Point3(i / 9, i / 3 % 3, i % 3); }
 
 /// All unordered tuples of {0,1,2}³: as many in each class as the table says, and both decisions agree with it.
@@ -264,6 +278,7 @@ int main(int argc, char** argv) {
   chirotopes_by_hand();
   hit_order();
   ends();
+  bounds();
   five_point_line();
   pocket_run();
   small_lattice();
