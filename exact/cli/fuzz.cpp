@@ -245,7 +245,7 @@ Json summary(const FuzzPlan& plan, const FuzzReport& report) {
                  {"audited", report.audited},
                  {"counts", rows},
                  {"errors", errors_json(plan, report)},
-                {"faults", faults_json(plan, report)},
+                 {"faults", faults_json(plan, report)},
                  {"environment", environment()}});
   return object;
 }
@@ -337,7 +337,8 @@ int run(const Options& o, const FuzzPlan& plan) {
   ask_again(plan, report);
   if (report.cases == 0) throw Failure(Exit::resources, "no case was run");
   const bool stopped = o.until_first && !report.findings.empty();
-  const std::string counts = verdicts(plan, report) + table(plan, report) + coverage(plan, report) + errors_table(plan, report);
+  const std::string counts =
+      verdicts(plan, report) + table(plan, report) + coverage(plan, report) + errors_table(plan, report);
   print((stopped ? "" : counts) + fault_lines(plan, report) + totals(plan, report));
   const bool complete = is_complete(plan, report);
   if (!complete) {
