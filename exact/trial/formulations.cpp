@@ -5,9 +5,7 @@
 
 namespace tribunal {
 
-Truth truth_by_formulations(const Query& query) {
-  return query.bounds ? exact_truth(query) : truth_by_formulations_on<BoundedInteger>(query);
-}
+Truth truth_by_formulations(const Query& query) { return truth_by_formulations_on<BoundedInteger>(query); }
 
 const char* formulations_in_words() {
   return "class table, Segura-Feito and Caratheodory on integers of fixed width, or GMP's where those do not hold the "

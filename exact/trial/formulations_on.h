@@ -36,6 +36,7 @@ Truth truth_on(const P& probe, const Triangle& t, const Query& query) {
 /// truth_by_formulations with this type in place of BoundedInteger.
 template <template <int> class Integer>
 Truth truth_by_formulations_on(const Query& query) {
+  if (query.bounds) return exact_truth(query);
   const auto on = [&]<class N>(const auto& probe, const Triangle& t) {
     return formulations_detail::truth_on<N>(probe, t, query);
   };

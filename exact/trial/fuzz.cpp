@@ -150,9 +150,24 @@ void measure_chunk(const FuzzPlan& plan, std::size_t m, Worker& worker) {
   }
 }
 
+/// Where the answer of method m to the chunk's case i is counted.
+Count& count_of(std::size_t m, std::size_t i, Worker& worker) {
+  const Chunk& chunk = worker.chunk;
+  return worker.counts.at({m, chunk.stream, chunk.trials[i].level, slot_of(chunk.trials[i], chunk.truths[i])});
+}
+
+/// The counts are tens of megabytes, of which every case needs two or three lines: all of a chunk are fetched at once.
+void prefetch(const Count& count) {
+  constexpr std::size_t line = 64;
+  for (std::size_t at = 0; at < sizeof(Count); at += line) {
+    __builtin_prefetch(reinterpret_cast<const char*>(&count) + at, 1);
+  }
+}
+
 void judge_chunk(const FuzzPlan& plan, std::size_t m, Worker& worker) {
   const Method& method = plan.methods[m];
   const Chunk& chunk = worker.chunk;
+  for (std::size_t i = 0; i < chunk.trials.size(); ++i) prefetch(count_of(m, i, worker));
   ask_all(method, plan.operands(), worker);
   require_intact_rounding(method);
   TwinQuota quota;
@@ -165,7 +180,7 @@ void judge_chunk(const FuzzPlan& plan, std::size_t m, Worker& worker) {
       answer = held_against_ask(method, trial.query, answer);
       outcome = judge(method, truth, answer);
     }
-    Count& count = worker.counts.at({m, chunk.stream, trial.level, slot_of(trial, truth)});
+    Count& count = count_of(m, i, worker);
     count.add(outcome, answer.stage);
     const std::uint64_t k = chunk.first_k + i;
     if (!is_wrong(outcome)) {

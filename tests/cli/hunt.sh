@@ -5,6 +5,7 @@ cd "$scratch"
 cat >mine.jsonl <<'CASES'
 {"id":"wall","seg":[[4323,-1230,562],[4322,-1238.5,561]],"tri":[[4321.125,-1234.5,560],[4327.125,-1234.5,560],[4321.125,-1234.5,566]]}
 {"id":"up","ray":{"o":[4323,-1234.5,550],"d":[0,0,1]},"tri":[[4321.125,-1234.5,560],[4327.125,-1234.5,560],[4321.125,-1234.5,566]]}
+{"id":"near","ray":{"o":[4323,-1230,562],"d":[0.25,-1,0.125],"t":[0.1,4.5]},"tri":[[4321.125,-1234.5,560],[4327.125,-1234.5,560],[4321.125,-1234.5,566]]}
 {"id":"floor","fmt":"binary32","seg":[[1,1,1],[1,1,-1]],"tri":[[0,0,0],[4,0,0],[0,4,0]]}
 CASES
 cat >house.off <<'MESH'
@@ -29,8 +30,8 @@ SCENE
 
 # A method that is right finds nothing; own data alone, its hash, items and counts by class are in the summary.
 expect 0 fuzz --method sf-filtered --cases mine.jsonl --mesh house.off --scene scene.json --count 12000 --out right
-says out 'own-cases' && says out 'own-mesh' && says out 'own-scene' && lacks out 'affine' && says out 'own-cases: mine.jsonl, 3 used, SHA-256'
-says right/summary.json "\"sha256\": \"$(sha256sum <mine.jsonl | cut -d' ' -f1)\"" && says right/summary.json '"items": 3' && says right/summary.json '"class": "R'
+says out 'own-cases' && says out 'own-mesh' && says out 'own-scene' && lacks out 'affine' && says out 'own-cases: mine.jsonl, 4 used, SHA-256'
+says right/summary.json "\"sha256\": \"$(sha256sum <mine.jsonl | cut -d' ' -f1)\"" && says right/summary.json '"items": 4' && says right/summary.json '"class": "R'
 # One that is wrong is found out near each of them, as the same bytes for any number of threads.
 for data in '--cases mine.jsonl' '--mesh house.off' '--scene scene.json'; do
   # shellcheck disable=SC2086
@@ -67,7 +68,7 @@ echo '{"id":"ring","seg":[[1,1,9],[2,3,-1]],"rings":[[[0,0,7],[12,0,7],[12,8,7],
 expect 1 fuzz --method feito-double --cases rings.jsonl --count 8000 && says out 'own-cases'
 expect 0 fuzz --method sf-filtered --cases rings.jsonl --family polygon-ulp --count 2000
 cat mine.jsonl rings.jsonl >both.jsonl
-expect 0 fuzz --method sf-filtered --cases both.jsonl --count 2000 && says out '3 used' && says out 'not used: 1 about polygons'
+expect 0 fuzz --method sf-filtered --cases both.jsonl --count 2000 && says out '4 used' && says out 'not used: 1 about polygons'
 expect 0 fuzz --method sf-filtered --cases both.jsonl --family polygon-ulp --count 2000 && says out '1 used'
 expect 2 fuzz --method sf-filtered --mesh house.off --family polygon-ulp && says err '--mesh and --scene ask about triangles'
 expect 2 fuzz --method mt-double --cases rings.jsonl && says err 'mt-double takes no polygons'

@@ -17,7 +17,7 @@ expect 0 classify --method sf-epick,haines-double --in cases.jsonl
 diff out - <<'EOF'
 {"id":"in the hole","method":"sf-epick","hit":0,"status":"ok","contact":"none","planar":true}
 {"id":"in the hole","method":"haines-double","hit":0,"status":"ok","contact":"none"}
-{"id":"a triangle","method":"sf-epick","hit":1,"status":"ok","class":"C017","contact":"vertex","at":"between"}
+{"id":"a triangle","method":"sf-epick","hit":1,"status":"ok","class":"C017","contact":"vertex","at":"between","side":"front"}
 {"id":"a triangle","method":"haines-double","status":"unsupported"}
 {"id":"at the hole","method":"sf-epick","hit":1,"status":"ok","contact":"edge","at":"between","planar":true}
 {"id":"at the hole","method":"haines-double","status":"unsupported"}

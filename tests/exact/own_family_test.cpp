@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <set>
 #include <vector>
@@ -156,6 +157,41 @@ TEST(OwnFamily, KeepsToTheFormatsOfItsData) {
   EXPECT_EQ(both.family.data->left_out, "1 in binary32, beyond its range");
 }
 
+/// A ray's bounds are numbers of the case as well: exact in its format, in order, changed like the others, and aimed at
+/// where the ray hits. Where they are the only thing that changes, the hash of the numbers does.
+TEST(OwnFamily, BoundsOfRaysAreNumbersOfTheCase) {
+  Query bounded = ray_at_wall;
+  bounded.bounds = Bounds{0.1, 4.7};
+  const OwnFamily own = family_of(cases_of({{bounded, Format::binary64}}));
+  for (const Format format : own.formats) {
+    std::set<double> least, largest;
+    int at_an_end = 0;
+    for (std::uint64_t k = 0; k < 2'000; ++k) {
+      const Query query = own.family.make(format, seed, k).query;
+      ASSERT_TRUE(query.bounds && is_finite(query));
+      const auto [tmin, tmax] = *query.bounds;
+      ASSERT_TRUE(is_exact_in(tmin, format) && is_exact_in(tmax, format)) << k;
+      ASSERT_TRUE(tmin >= 0 && tmin <= tmax) << k;
+      least.insert(tmin);
+      largest.insert(tmax);
+      const At at = flagship_method().ask(query).at;
+      at_an_end += at == At::source || at == At::target;
+    }
+    EXPECT_GT(least.size(), 100u);
+    EXPECT_GT(largest.size(), 100u);
+    EXPECT_GT(at_an_end, 50);
+  }
+  Query other = bounded;
+  other.bounds->tmax = 4.75;
+  EXPECT_NE(family_of(cases_of({{other, Format::binary64}})).family.data->numbers_sha256,
+            own.family.data->numbers_sha256);
+  Query endless = bounded;
+  endless.bounds->tmax = std::numeric_limits<double>::infinity();
+  const OwnFamily of_endless = family_of(cases_of({{endless, Format::binary64}}));
+  for (std::uint64_t k = 0; k < 500; ++k)
+    ASSERT_TRUE(is_finite(of_endless.family.make(Format::binary32, seed, k).query));
+}
+
 /// Coordinates at the ends of the range neither overflow nor stop the draws.
 TEST(OwnFamily, TakesNumbersOfAnySize) {
   const Query extreme{Segment{{1.7e308, -1.7e308, 5e-324}, {-1.7e308, 1.7e308, 0}},
@@ -251,8 +287,11 @@ Method wrong_on_one_in(std::uint64_t period) {
   wrong.contract.exact = false;
   const auto flips = [period](const Query& q) {
     std::uint64_t hash = 0;
-    for (const double x : numbers_of(q)) hash = (hash ^ std::bit_cast<std::uint64_t>(x)) * 0x9e3779b97f4a7c15u;
-    return (hash >> 20) % period == 0;
+    for (const double x : numbers_of(q)) {
+      hash = (hash ^ std::bit_cast<std::uint64_t>(x)) * 0x9e3779b97f4a7c15u;
+      hash ^= hash >> 29;
+    }
+    return hash % period == 0;
   };
   const auto answer = [m, flips](const Query& q) {
     Answer a = m.ask(q);
@@ -268,12 +307,14 @@ Method wrong_on_one_in(std::uint64_t period) {
 /// first.
 TEST(UntilFirst, IsTheSameForAnyNumberOfThreads) {
   const OwnFamily own = family_of(street(40));
-  for (const Method& method : {*find_method("jimenez-double"), wrong_on_one_in(20'000)}) {
-    FuzzPlan plan = plan_of(method, streams_in(own), 200'000);
+  std::uint64_t latest = 0;
+  for (const Method& method : {*find_method("jimenez-double"), wrong_on_one_in(20'000), wrong_on_one_in(70'000)}) {
+    FuzzPlan plan = plan_of(method, streams_in(own), 300'000);
     const FuzzReport whole = fuzz(plan);
     plan.until_first = true;
     const FuzzReport one = fuzz(plan);
     ASSERT_EQ(one.findings.size(), 1u);
+    latest = std::max(latest, case_number(plan, one.findings[0]));
     EXPECT_LT(one.cases, whole.cases);
     EXPECT_TRUE(is_complete(plan, one));
     EXPECT_EQ(case_number(plan, one.findings[0]), case_number(plan, whole.findings[0]));
@@ -286,6 +327,7 @@ TEST(UntilFirst, IsTheSameForAnyNumberOfThreads) {
       EXPECT_TRUE(many.counts == one.counts);
     }
   }
+  EXPECT_GT(latest, 16 * block_size_of(Operands::triangles)) << "all were found in the first few blocks";
 }
 
 TEST(UntilFirst, RunsToTheEndWithoutAFinding) {

@@ -176,7 +176,13 @@ void pocket_run() {
   }
 }
 
-/// Where the triangle's corner, edge or inside is touched by an end, the answer says which end.
+Answer crossing(Contact contact, At at, bool from_front) {
+  Answer answer = hit_at(contact, at);
+  answer.facing = from_front ? Facing::front : Facing::back;
+  return answer;
+}
+
+/// Where the triangle's corner, edge or inside is touched by an end, the answer says which end, and from which side.
 void ends() {
   const Triangle t{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
   const Point3 on[] = {{1, 1, 0}, {2, 0, 0}, {4, 0, 0}};
@@ -184,13 +190,28 @@ void ends() {
   for (int i = 0; i < 3; ++i) {
     for (const double z : {1.0, -1.0}) {
       const Point3 up = on[i] + Point3(0, 0, z), down = on[i] - Point3(0, 0, z);
-      require(segura_feito(Segment{on[i], up}, t, k) == hit_at(contacts[i], At::source), "at the source");
-      require(segura_feito(Segment{up, on[i]}, t, k) == hit_at(contacts[i], At::target), "at the target");
-      require(segura_feito(Segment{up, down}, t, k) == hit_at(contacts[i], At::between), "between");
-      require(segura_feito(Ray{up, {down - up}}, t, k) == hit_at(contacts[i], At::between), "between, on a ray");
-      require(segura_feito(Ray{on[i], {up}}, t, k) == hit_at(contacts[i], At::source), "at a ray's origin");
+      require(segura_feito(Segment{on[i], up}, t, k) == crossing(contacts[i], At::source, z < 0), "at the source");
+      require(segura_feito(Segment{up, on[i]}, t, k) == crossing(contacts[i], At::target, z > 0), "at the target");
+      require(segura_feito(Segment{up, down}, t, k) == crossing(contacts[i], At::between, z > 0), "between");
+      require(segura_feito(Ray{up, {down - up}}, t, k) == crossing(contacts[i], At::between, z > 0),
+              "between, on a ray");
+      require(segura_feito(Ray{on[i], {up}}, t, k) == crossing(contacts[i], At::source, z < 0), "at a ray's origin");
     }
   }
+}
+
+/// Parts of a ray: one that is a point at the plane crosses it all the same.
+void bounds() {
+  const Triangle t{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
+  const Ray down{{1, 1, 2}, {{0, 0, -1}}}, beside{{5, 5, 2}, {{0, 0, -1}}}, within{{1, 1, 0}, {{1, 0, 0}}};
+  const auto at = [&](double tmin, double tmax) { return segura_feito(down, Bounds{tmin, tmax}, t, k); };
+  require(at(2, 2) == crossing(Contact::interior, At::source, true), "both bounds at the plane");
+  require(at(2, 3) == crossing(Contact::interior, At::source, true), "tmin at the plane");
+  require(at(0, 2) == crossing(Contact::interior, At::target, true), "tmax at the plane");
+  require(at(1, 3) == crossing(Contact::interior, At::between, true), "between the bounds");
+  require(!at(0, 1).hit && !at(3, 4).hit, "outside the bounds");
+  require(!segura_feito(beside, Bounds{2, 2}, t, k).hit, "beside, both bounds at the plane");
+  require(segura_feito(within, Bounds{1, 1}, t, k).contact == Contact::coplanar, "in the plane");
 }
 
 Point3 lattice_point(int i) { return Point3(i / 9, i / 3 % 3, i % 3); }
@@ -257,6 +278,7 @@ int main(int argc, char** argv) {
   chirotopes_by_hand();
   hit_order();
   ends();
+  bounds();
   five_point_line();
   pocket_run();
   small_lattice();

@@ -19,10 +19,8 @@ class Draw {
         counter_{0, stream, static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(k >> 32)} {}
 
   std::uint64_t next() {
-    if (half_ == 0) next_block();
-    const std::size_t at = 2 * half_;
-    half_ ^= 1U;
-    return (std::uint64_t{block_[at]} << 32) | block_[at + 1];
+    if (at_ == words_.size()) refill();
+    return words_[at_++];
   }
 
   /// Uniform in [0, n), n > 0, by Lemire's multiplication; the bias is below n/2⁶⁴.
@@ -37,12 +35,12 @@ class Draw {
   }
 
  private:
-  void next_block();
+  void refill();
 
   std::array<std::uint32_t, 2> key_;
   std::array<std::uint32_t, 4> counter_;
-  std::array<std::uint32_t, 4> block_{};
-  std::size_t half_ = 0;
+  std::array<std::uint64_t, 8> words_;  ///< of four blocks: a processor computes them side by side
+  std::size_t at_ = words_.size();
 };
 
 }  // namespace tribunal

@@ -125,15 +125,21 @@ std::string left_out(const OwnData& data, const Plan& plan) {
   return text;
 }
 
+void append(std::string& bytes, double x) {
+  const auto number = std::bit_cast<std::array<char, sizeof(double)>>(x);
+  bytes.append(number.begin(), number.end());
+}
+
 void append(std::string& bytes, const Query& q) {
   Query query = q;
   for (const Point3* v : Parts(query).vectors()) {
-    for (int axis = 0; axis < 3; ++axis) {
-      const auto number = std::bit_cast<std::array<char, sizeof(double)>>((*v)[axis]);
-      bytes.append(number.begin(), number.end());
-    }
+    for (int axis = 0; axis < 3; ++axis) append(bytes, (*v)[axis]);
   }
-  bytes += is_of_ray(query) ? 'r' : 's';
+  if (query.bounds) {
+    append(bytes, query.bounds->tmin);
+    append(bytes, query.bounds->tmax);
+  }
+  bytes += query.bounds ? 'b' : is_of_ray(query) ? 'r' : 's';
   if (query.operands() == Operands::polygons) {
     for (const std::size_t end : query.polygon().ends) bytes += std::to_string(end) + ",";
   }

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "exact/cases/families/axis_maps.h"
+#include "exact/cases/families/bounds.h"
 #include "exact/cases/families/probe.h"
 #include "exact/cases/families/shapes.h"
 #include "exact/cases/families/ulp.h"
@@ -24,7 +25,28 @@ std::int64_t draw_step(Format format, Draw& draw) {
   return std::int64_t{1} << draw.below(most);
 }
 
+/// One bound becomes t, and the other gives way where it must. Nothing is changed where t cannot be a bound.
+void put_bound(Bounds& bounds, double t, Draw& draw) {
+  if (!(t >= 0) || !std::isfinite(t)) return;
+  bounds = draw.below(2) == 0 ? Bounds{t, std::max(t, bounds.tmax)} : Bounds{std::min(t, bounds.tmin), t};
+}
+
+void move_bound(Bounds& bounds, Format format, Draw& draw) {
+  const double t = draw.below(2) == 0 || !std::isfinite(bounds.tmax) ? bounds.tmin : bounds.tmax;
+  const std::int64_t step = draw_step(format, draw);
+  put_bound(bounds, moved_by_ulps(t, draw.below(2) == 0 ? step : -step, format), draw);
+}
+
+/// A bound is put where the ray, as it rounds, crosses the plane of the triangle.
+void aim_bound(Query& query, Format format, Draw& draw) {
+  const Query rounded = rounded_to(query, format);
+  if (is_finite(rounded)) {
+    put_bound(*query.bounds, draw_parameter(std::get<Ray>(rounded.probe), rounded.triangle(), format, draw), draw);
+  }
+}
+
 void by_ulps(Query& query, const Surroundings& around, Draw& draw) {
+  if (query.bounds && draw.below(4) == 0) return move_bound(*query.bounds, around.format, draw);
   const Parts parts(query);
   const std::vector<Point3*> vectors = parts.vectors();
   Point3& v = *vectors[draw.below(vectors.size())];
@@ -135,6 +157,7 @@ Point3& draw_end(const Query& query, const Parts& parts, Draw& draw) {
 }
 
 void onto_each_other(Query& query, const Surroundings& around, Draw& draw) {
+  if (query.bounds && draw.below(4) == 0) return aim_bound(query, around.format, draw);
   const Parts parts(query);
   const auto draw_vertex = [&]() -> Point3& { return parts.vertex(draw.below(parts.vertices().size())); };
   switch (draw.below(7)) {
@@ -234,10 +257,12 @@ void aim(Query& query, const Surroundings& around, Draw& draw) {
     default:
       aim_from_elsewhere(query, around, draw);
   }
+  if (query.bounds && draw.below(2) == 0) aim_bound(query, around.format, draw);
 }
 
 /// Bit for bit; −0 is not 0.
 bool are_same(Query& a, Query& b) {
+  if (a.bounds != b.bounds) return false;
   const std::vector<Point3*> u = Parts(a).vectors(), v = Parts(b).vectors();
   return std::ranges::equal(u, v, [](const Point3* x, const Point3* y) { return std::memcmp(x, y, sizeof(*x)) == 0; });
 }
@@ -270,6 +295,7 @@ void mutate(Query& query, const Mutation& mutation, const Surroundings& around, 
 
 Query rounded_to(Query query, Format format) {
   for (Point3* v : Parts(query).vectors()) *v = in_format(*v, format);
+  if (query.bounds) query.bounds = {in_format(query.bounds->tmin, format), in_format(query.bounds->tmax, format)};
   return query;
 }
 
