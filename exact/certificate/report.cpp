@@ -243,6 +243,18 @@ std::string relations_section(const Certificate& c) {
          (c.broken_relations().empty() ? "" : broken_table(c)) + kept_list(c);
 }
 
+/// One line for each relation broken, with the populations in which it was.
+std::string broken_lines(const Certificate& c) {
+  std::string text, last;
+  for (const RelationRow& r : asked_relations(c, true)) {
+    const std::string counts =
+        population_of(r) + ": " + std::to_string(r.broken) + " of " + std::to_string(r.asked) + " (" + rate_of(r) + ")";
+    text += r.name == last ? "; " + counts : (last.empty() ? "" : "\n") + ("  BROKEN   " + r.name + ", " + counts);
+    last = r.name;
+  }
+  return text.empty() ? "" : text + "\n";
+}
+
 /// One line a population, and one for each relation broken.
 std::string relation_lines(const Certificate& c) {
   std::map<std::string, std::pair<std::uint64_t, std::uint64_t>> totals;
@@ -257,11 +269,7 @@ std::string relation_lines(const Certificate& c) {
     text += "  related  " + population + ": " + std::to_string(total.second) + " of " + std::to_string(total.first) +
             " instances of relations broken\n";
   }
-  for (const RelationRow& r : asked_relations(c, true)) {
-    text += "  BROKEN   " + r.name + ", " + population_of(r) + ": " + std::to_string(r.broken) + " of " +
-            std::to_string(r.asked) + " (" + rate_of(r) + "); " + r.statement + "\n";
-  }
-  return text;
+  return text + broken_lines(c);
 }
 
 std::string errors_row(const ErrorRow& e, const char* what, const Ulps& u) {
