@@ -1,4 +1,4 @@
-// Makes page.html, one self-contained file, of template.html, style.css and src/: `npm ci && npm run build`.
+// Makes report.html, one self-contained file, of template.html, style.css and src/: `npm ci && npm run build`.
 // The result is committed, so that the program can be built without npm.
 import { readFile, writeFile } from 'node:fs/promises';
 import { build } from 'esbuild';
@@ -38,7 +38,7 @@ let page = await read('template.html');
 page = put(page, '/*STYLE*/', await bundled('style.css'));
 page = put(page, '/*SCRIPT*/', script);
 page = put(page, 'LICENCES', licences.replaceAll('&', '&amp;').replaceAll('<', '&lt;'));
-if (Buffer.byteLength(page) > limit) throw new Error(`page.html would have ${Buffer.byteLength(page)} bytes, more than ${limit}`);
-await writeFile(here('page.html'), page);
-await writeFile(here('LICENCES.txt'), `What page.html carries of others.\n\n${licences}`);
-console.log(`page.html: ${Buffer.byteLength(page)} bytes`);
+if (Buffer.byteLength(page) > limit) throw new Error(`report.html would have ${Buffer.byteLength(page)} bytes, more than ${limit}`);
+await writeFile(here('report.html'), page);
+await writeFile(here('LICENCES.txt'), `What report.html carries of others.\n\n${licences}`);
+console.log(`report.html: ${Buffer.byteLength(page)} bytes`);

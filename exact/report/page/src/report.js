@@ -1,6 +1,6 @@
 // The data of the page, and the words that belong to it. The schema is docs/report.md.
 
-const read = () => JSON.parse(document.getElementById('tribunal-report').textContent);
+const read = () => JSON.parse(document.getElementById('tribunal-data').textContent);
 
 export const report = read();
 
