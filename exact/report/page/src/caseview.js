@@ -31,8 +31,7 @@ function copyButton(name, make) {
 
 function verdictLine(entry) {
   if (!entry.outcome) return null;
-  return h('p', { class: 'lead' }, h('b', { class: 'wrong' }, `${entry.method}: ${entry.outcome}`), '. ',
-    entry.in_words ?? '', entry.in_words && '.');
+  return h('p', { class: 'lead' }, h('b', { class: 'wrong' }, `${entry.method}: ${entry.outcome}`), entry.in_words && ` – ${entry.in_words}`, '.');
 }
 
 function facts(entry, question) {

@@ -1,6 +1,6 @@
 // Speed against accuracy: a mark for each method in each population, and the frontier of what nobody beats in both.
 import { code, h, svg, table } from './dom.js';
-import { percent, shareInWords, significant } from './figures.js';
+import { percent, percentTick, shareInWords, significant } from './figures.js';
 import { linesWithBands } from './lines.js';
 import { lookOf, markAt, markIcon } from './marks.js';
 import { chooseRun } from './matrix.js';
@@ -8,17 +8,38 @@ import { inOrder, runsOf } from './report.js';
 import { tabs } from './sweep.js';
 import { to } from './route.js';
 
-const box = { width: 640, height: 400, left: 62, right: 24, top: 18, bottom: 46 };
+const sizeOf = () => (window.innerWidth < 760
+  ? { width: 380, height: 330, left: 58, right: 14, top: 22, bottom: 46 }
+  : { width: 900, height: 430, left: 66, right: 30, top: 22, bottom: 48 });
 
 /** A logarithmic scale from values to pixels, with the powers in between. */
-function logScale(values, from, to_, steps) {
+function logScale(values, from, to_) {
   const low = Math.log10(Math.min(...values)) - 0.12, high = Math.log10(Math.max(...values)) + 0.12;
   const place = (v) => from + ((Math.log10(v) - low) / (high - low)) * (to_ - from);
+  const steps = high - low > 2.2 ? [1] : high - low > 0.9 ? [1, 2, 5] : [1, 1.5, 2, 3, 4, 5, 6, 8];
   const ticks = [];
   for (let e = Math.floor(low); e <= Math.ceil(high); ++e) {
-    for (const s of high - low > 2.2 ? [1] : steps) if (Math.log10(s) + e >= low && Math.log10(s) + e <= high) ticks.push(s * 10 ** e);
+    for (const s of steps) if (Math.log10(s) + e >= low && Math.log10(s) + e <= high) ticks.push(s * 10 ** e);
   }
   return { place, ticks };
+}
+
+/** Names beside their marks, where no other name or mark is. */
+function placedNames(spots, box) {
+  const taken = spots.map(({ x, y }) => [x - 8, y - 8, x + 8, y + 8]);
+  const free = ([l, t, r, b]) => l > box.left && r < box.width && taken.every(([l2, t2, r2, b2]) => r < l2 || l > r2 || b < t2 || t > b2);
+  return spots.map(({ x, y, name }) => {
+    const width = 7 * name.length;
+    const options = [['start', x + 11, y + 4], ['end', x - 11, y + 4], ['middle', x, y - 13], ['middle', x, y + 22], ['start', x + 9, y - 12], ['start', x + 9, y + 21], ['end', x - 9, y - 12], ['end', x - 9, y + 21]];
+    const boxes = options.map(([anchor, px, py]) => {
+      const left = anchor === 'start' ? px : anchor === 'end' ? px - width : px - width / 2;
+      return [left, py - 11, left + width, py + 3];
+    });
+    const found = Math.max(0, boxes.findIndex(free));
+    taken.push(boxes[found]);
+    const [anchor, px, py] = options[found];
+    return { 'text-anchor': anchor, x: px, y: py };
+  });
 }
 
 const drawnOf = ({ answers }) => answers.drawn ?? (answers.wrong === 0 ? answers.upper : answers.share);
@@ -30,34 +51,37 @@ function frontierOf(points) {
   return sorted.filter((point) => point.y < best && ((best = point.y), true));
 }
 
-function axes(x, y) {
-  const { width, height, left, right, top, bottom } = box;
+function axes(x, y, { width, height, left, right, top, bottom }) {
   return [
     x.ticks.map((v) => [svg('line', { class: 'rule', x1: x.place(v), x2: x.place(v), y1: top, y2: height - bottom }),
       svg('text', { x: x.place(v), y: height - bottom + 18, 'text-anchor': 'middle' }, significant(v))]),
     y.ticks.map((v) => [svg('line', { class: 'rule', x1: left, x2: width - right, y1: y.place(v), y2: y.place(v) }),
-      svg('text', { x: left - 8, y: y.place(v) + 4, 'text-anchor': 'end' }, percent(v))]),
+      svg('text', { x: left - 8, y: y.place(v) + 4, 'text-anchor': 'end' }, percentTick(v))]),
     svg('text', { x: (left + width - right) / 2, y: height - 8, 'text-anchor': 'middle' }, 'nanoseconds a test'),
-    svg('text', { class: 'axis', x: left, y: top - 6, 'text-anchor': 'start' }, 'wrong'),
+    svg('text', { x: 4, y: 12, 'text-anchor': 'start' }, 'wrong'),
   ];
 }
 
+function markOf(p, x, y, name, say) {
+  const [cx, cy] = [x.place(p.ns), y.place(p.y)];
+  const bar = p.bound
+    ? svg('path', { d: `M${cx},${cy}v20m-4,-5l4,5l4,-5`, fill: 'none', stroke: p.look.colour, 'stroke-width': 1.4 })
+    : svg('line', { x1: cx, x2: cx, y1: y.place(p.upper), y2: y.place(Math.max(p.lower, p.y / 30)), stroke: p.look.colour, 'stroke-width': 1.6 });
+  return svg('a', { href: p.href, 'aria-label': p.words, onfocus: () => say(p), onpointerenter: () => say(p) }, bar,
+    markAt(p.look.shape, cx, cy, 6, { fill: p.bound ? 'var(--paper)' : p.look.colour, stroke: p.look.colour, 'stroke-width': 2 }),
+    svg('text', { ...name, class: 'name' }, p.method));
+}
+
 function scatter(points, label, say) {
-  const x = logScale(points.map((p) => p.ns), box.left, box.width - box.right, [1, 2, 5]);
-  const y = logScale(points.flatMap((p) => [p.y, Math.max(p.lower, p.y / 30)]), box.height - box.bottom, box.top + 8, [1, 3]);
+  const box = sizeOf();
+  const x = logScale(points.map((p) => p.ns), box.left + 10, box.width - box.right);
+  const lowest = points.map((p) => (p.bound ? p.y / 2 : Math.max(p.lower, p.y / 30)));
+  const y = logScale([...points.map((p) => (p.bound ? p.y : p.upper)), ...lowest], box.height - box.bottom, box.top);
   const front = frontierOf(points);
-  const path = front.map((p, i) => `${i === 0 ? 'M' : 'H'}${x.place(p.ns)}${i === 0 ? `,${y.place(p.y)}` : `V${y.place(p.y)}`}`).join('');
+  const path = front.map((p, i) => (i === 0 ? `M${x.place(p.ns)},${y.place(p.y)}` : `H${x.place(p.ns)}V${y.place(p.y)}`)).join('');
+  const names = placedNames(points.map((p) => ({ x: x.place(p.ns), y: y.place(p.y), name: p.method })), box);
   return svg('svg', { class: 'scatter', viewBox: `0 0 ${box.width} ${box.height}`, role: 'group', 'aria-label': label },
-    axes(x, y),
-    svg('path', { class: 'frontier', d: path }),
-    points.map((p) => {
-      const [cx, cy] = [x.place(p.ns), y.place(p.y)];
-      const right = cx > box.width - 150;
-      return svg('a', { href: p.href, 'aria-label': p.words, onfocus: () => say(p), onpointerenter: () => say(p) },
-        !p.bound && svg('line', { x1: cx, x2: cx, y1: y.place(p.upper), y2: y.place(Math.max(p.lower, p.y / 30)), stroke: p.look.colour, 'stroke-width': 1.5 }),
-        markAt(p.look.shape, cx, cy, 6, { fill: p.bound ? 'var(--paper)' : p.look.colour, stroke: p.look.colour, 'stroke-width': 2 }),
-        svg('text', { x: right ? cx - 11 : cx + 11, y: cy + 4, 'text-anchor': right ? 'end' : 'start', class: 'name' }, p.method));
-    }));
+    axes(x, y, box), svg('path', { class: 'frontier', d: path }), points.map((p, i) => markOf(p, x, y, names[i], say)));
 }
 
 function pointOf(run, row, look) {

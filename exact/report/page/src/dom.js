@@ -23,15 +23,20 @@ export const svg = (tag, attributes, ...children) => fill(document.createElement
 export const link = (href, ...children) => h('a', { href }, ...children);
 export const code = (text) => h('code', {}, text);
 
-/** A table of rows of cells; a cell is text, an element or {cell, ...attributes}. Numbers are aligned by class `n`. */
-export function table(head, rows, attributes = {}) {
-  const cellOf = (tag, extra) => (cell) => {
-    const known = cell !== null && typeof cell === 'object' && 'cell' in cell;
-    const { cell: content, ...rest } = known ? cell : { cell };
-    return h(tag, { ...extra, ...rest }, content);
+const isCell = (cell) => cell !== null && typeof cell === 'object' && 'cell' in cell;
+
+/**
+ * A table of rows of cells; a cell is text, an element or {cell, ...attributes}, numbers being {cell, class: 'n'}. On
+ * narrow screens the style sheet stacks the cells of a row and shows their columns' names from `data-label`.
+ */
+export function table(head, rows, { label = 'table', class: name = '' } = {}) {
+  const numeric = (i) => rows.some((row) => isCell(row[i]) && row[i].class?.startsWith('n'));
+  const cellOf = (cell, i) => {
+    const { cell: content, ...attributes } = isCell(cell) ? cell : { cell };
+    return h('td', { 'data-label': head[i] || null, ...attributes }, content);
   };
-  return h('div', { class: 'wide', tabindex: 0, role: 'region', 'aria-label': attributes.label ?? 'table' },
-    h('table', { class: attributes.class },
-      head && h('thead', {}, h('tr', {}, head.map(cellOf('th', { scope: 'col' })))),
-      h('tbody', {}, rows.map((row) => h('tr', {}, row.map(cellOf('td')))))));
+  return h('div', { class: 'wide', tabindex: 0, role: 'region', 'aria-label': label },
+    h('table', { class: `${name} ${head.length > 3 ? 'stack' : ''}` },
+      h('thead', {}, h('tr', {}, head.map((title, i) => (title ? h('th', { scope: 'col', class: numeric(i) ? 'n' : null }, title) : h('td', {}))))),
+      h('tbody', {}, rows.map((row) => h('tr', {}, row.map(cellOf))))));
 }

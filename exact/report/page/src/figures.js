@@ -5,16 +5,20 @@ export const grouped = (n) => grouping.format(n);
 
 export function percent(share) {
   if (share === 0) return '0 %';
+  if (share === 1) return '100 %';
   const value = 100 * share;
   return value >= 99.995 && value < 100 ? '>99.99 %' : `${value >= 10 ? value.toFixed(1) : value >= 0.0995 ? value.toFixed(2) : significant(value, 2)} %`;
 }
 
+/** A share at a power of ten, for an axis. */
+export const percentTick = (share) => `${significant(100 * share, 2)} %`;
+
 /** Few digits, and powers of ten where a number is very large or small. */
 export function significant(x, digits = 3) {
-  if (x === 0 || !Number.isFinite(x)) return String(x);
-  const size = Math.floor(Math.log10(Math.abs(x)));
-  if (size >= -3 && size < 6) return String(Number(x.toPrecision(digits)));
-  return `${Number((x / 10 ** size).toPrecision(digits))}·10${superscript(size)}`;
+  if (x === 0 || !Number.isFinite(x)) return String(x).replace('-', '−');
+  const [mantissa, exponent] = x.toExponential(digits - 1).split('e').map(Number);
+  const text = exponent >= -3 && exponent < 6 ? String(Number(x.toPrecision(digits))) : `${mantissa}·10${superscript(exponent)}`;
+  return text.replace('-', '−');
 }
 
 export const superscript = (n) => String(n).replace(/[-\d]/g, (c) => (c === '-' ? '⁻' : '⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(c)]));

@@ -6,21 +6,22 @@ import { cross, dot, isZero, minus, plus, ratio, times } from './exact.js';
 import { nearestOnLine, normalOf, placeOf } from './question.js';
 
 /** Half the width of the cube that is drawn, in windows. */
-export const reach = 6;
+export const reach = 24;
 
 export class Lens {
   /** The window's centre is `focus`, a place; its half width is 2^size in units of the input. */
   constructor(question, focus, size) {
     this.question = question;
     this.focus = focus;
-    this.exponent = question.exact.unit - size;
+    this.exponent = question.exact.unit - Math.floor(size);
+    this.rest = 2 ** (Math.floor(size) - size);
   }
 
   /** A place relative to the focus, in windows. */
   see({ point, weight }) {
     const gap = minus(times(point, this.focus.weight), times(this.focus.point, weight));
     const scale = weight * this.focus.weight;
-    return gap.map((x) => ratio(x, scale, this.exponent));
+    return gap.map((x) => ratio(x, scale, this.exponent) * this.rest);
   }
 
   /** The part of the line o + s·d, s from 0 to 1 (`endless`: to infinity), in the window: two points, or null. */
@@ -71,7 +72,8 @@ export class Lens {
       return spot;
     };
     const flat = rings.map((ring) => ring.map((point) => this.flattened(point, kept)));
-    return flat.map((ring) => cutToSquare(ring)).filter((ring) => ring.length > 2).map((ring) => ring.map(lift));
+    return flat.map((ring) => cutToSquare(ring)).filter((ring) => ring.length > 2)
+      .map((ring) => ring.map((uv) => lift(uv.map((x) => x * this.rest))));
   }
 
   /** The point of a plane nearest to the focus, in windows. */
@@ -79,10 +81,10 @@ export class Lens {
     const { focus } = this;
     const height = dot(normal, minus(times(point, focus.weight), focus.point));
     const length = dot(normal, normal);
-    return normal.map((x) => ratio(x * height, length * focus.weight, this.exponent));
+    return normal.map((x) => ratio(x * height, length * focus.weight, this.exponent) * this.rest);
   }
 
-  /** Two coordinates relative to the focus as integers, in a unit of 2^-60 windows; exact but for one floor. */
+  /** Two coordinates relative to the focus as integers, in a unit of 2^-60 windows of whole size; exact but for one floor. */
   flattened(point, kept) {
     const { focus } = this;
     const shift = BigInt(this.exponent + 60);

@@ -2,7 +2,7 @@
 // hollow at the bound that its sample leaves open, as the program's own figures do.
 import uPlot from 'uplot';
 import { h } from './dom.js';
-import { percent, shareInWords, significant } from './figures.js';
+import { percentTick, shareInWords, significant } from './figures.js';
 import { lookOf, markIcon, traceMark } from './marks.js';
 
 const css = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
@@ -52,7 +52,7 @@ export function linesWithBands({ xs, series, xTitle, logarithmic, label, go }) {
   const box = h('div', { class: 'lines', tabindex: 0, role: 'img', 'aria-label': `${label}. Left and right move along the axis, up and down between methods, Enter goes to the cases.` });
   const x = logarithmic ? xs.map(Math.log2) : xs;
   const data = [x, ...series.map(({ points }) => points.map(drawn)), ...series.flatMap(({ points }) => [
-    points.map((p) => p?.upper ?? null), points.map((p) => (p ? Math.max(p.lower, floorOf(series)) : null))])];
+    points.map((p) => (p?.k > 0 ? p.upper : null)), points.map((p) => (p?.k > 0 ? Math.max(p.lower, floorOf(series)) : null))])];
   const n = series.length;
   const axisStyle = { stroke: css('--faint'), grid: { stroke: css('--line'), width: 1 }, ticks: { stroke: css('--line') }, font: '12px system-ui, sans-serif' };
   const options = {
@@ -60,10 +60,10 @@ export function linesWithBands({ xs, series, xTitle, logarithmic, label, go }) {
     scales: { x: { time: false, range: padded }, y: { distr: 3, range: () => [floorOf(series), 1.3] } },
     axes: [
       { ...axisStyle, label: xTitle, labelSize: 26, labelFont: '12px system-ui, sans-serif', values: (_, ticks) => ticks.map((v) => (logarithmic ? significant(2 ** v) : significant(v))) },
-      { ...axisStyle, size: 62, values: (_, ticks) => ticks.map((v) => (v !== null && Math.abs(Math.log10(v) % 1) < 1e-9 ? percent(v) : '')) },
+      { ...axisStyle, size: 62, splits: () => powersOfTen(floorOf(series)), filter: (_, ticks) => ticks, values: (_, ticks) => ticks.map(percentTick) },
     ],
     series: [{}, ...looks.map((look, i) => ({ label: series[i].name, stroke: look.colour, width: 2, dash: look.dash, points: { show: false }, spanGaps: true })),
-      ...series.flatMap(() => [{ stroke: 'transparent', points: { show: false }, spanGaps: true }, { stroke: 'transparent', points: { show: false }, spanGaps: true }])],
+      ...series.flatMap(() => [{ stroke: 'transparent', points: { show: false } }, { stroke: 'transparent', points: { show: false } }])],
     bands: series.map((_, i) => ({ series: [n + 1 + 2 * i, n + 2 + 2 * i], fill: `color-mix(in srgb, ${looks[i].colour} 14%, transparent)` })),
     hooks: {
       draw: [(u) => series.forEach((one, i) => marksPath(one, looks[i])(u, i + 1))],
@@ -112,8 +112,10 @@ const firstOf = ({ points }) => Math.max(0, points.findIndex(Boolean));
 /** The lowest power of ten that something reaches. */
 function floorOf(series) {
   const lowest = Math.min(0.1, ...series.flatMap(({ points }) => points.filter(Boolean).map(drawn)).filter((y) => y > 0));
-  return 10 ** Math.floor(Math.log10(lowest) - 0.3);
+  return 10 ** Math.floor(Math.log10(lowest));
 }
+
+const powersOfTen = (floor) => Array.from({ length: Math.round(-Math.log10(floor)) + 1 }, (_, i) => 10 ** -i).reverse();
 
 const padded = (_, low, high) => {
   const margin = (high - low || 1) * 0.03;

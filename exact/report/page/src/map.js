@@ -33,7 +33,7 @@ function panelView(run, index) {
   const panel = record.panels[index];
   const { size } = record;
   const canvas = h('canvas', { class: 'map', tabindex: 0, role: 'img', 'aria-label': `Map of ${panel.method}. Arrow keys move the pixel, with Shift by ten; Enter opens its case.` });
-  const cursor = h('i', { class: 'cursor', 'aria-hidden': 'true' });
+  const cursor = h('i', { class: 'cursor', 'aria-hidden': 'true', hidden: true });
   const told = h('span', { role: 'status' }, ' ');
   let at = [Math.floor(size / 2), Math.floor(size / 2)];
 
@@ -41,6 +41,7 @@ function panelView(run, index) {
     at = [x, y];
     const [dx, dy] = at.map((v) => v - Math.floor(size / 2));
     told.textContent = `${dx >= 0 ? '+' : ''}${dx}, ${dy >= 0 ? '+' : ''}${dy} units: ${meanings[panel.pixels[y]?.[x]] ?? ''}`;
+    cursor.hidden = false;
     cursor.style.cssText = `left:${(100 * x) / size}%;bottom:${(100 * y) / size}%;width:${100 / size}%;height:${100 / size}%`;
   }
   const placeOf = (event) => {

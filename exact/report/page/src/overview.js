@@ -51,7 +51,7 @@ function methodsTable() {
     for (const trial of run.record.trials ?? []) {
       for (const subject of trial.subjects ?? []) {
         const { rays, leak } = subject.all ?? {};
-        if (rays) line(subject.method, trial.fmt).cells.leak = link(to('leak', run.index), `${grouped(Math.round(((leak ?? 0) / rays) * 1e6))}`);
+        if (rays) line(subject.name ?? subject.method, trial.fmt).cells.leak = link(to('leak', run.index), `${grouped(Math.round(((leak ?? 0) / rays) * 1e6))}`);
       }
     }
   }

@@ -98,12 +98,12 @@ class Viewer {
 function summaryOf({ difference, verdict_pixels: verdict }, pixels) {
   const of = (name) => verdict?.[name] ?? 0;
   const words = [
-    [of('method'), `show a wrong answer of ${difference.method}`], [of('against'), `show a wrong answer of ${difference.against}`],
-    [of('neither'), 'show answers that differ by convention: neither is wrong'], [of('order'), 'differ only by which hit is first'],
-    [of('start'), 'differ only by the start of a secondary ray: nobody is wrong there'], [of('unexamined'), 'were not examined'],
+    [of('method'), `pixels show a wrong answer of ${difference.method}`], [of('against'), `pixels show a wrong answer of ${difference.against}`],
+    [of('neither'), 'pixels show answers that differ by convention: neither is wrong'], [of('order'), 'pixels differ only by which hit is first'],
+    [of('start'), 'pixels differ only by the start of a secondary ray: nobody is wrong there'], [of('unexamined'), 'pixels were not examined'],
   ].filter(([n]) => n > 0);
   if (pixels.length === 0 && words.length === 0) return h('p', { class: 'lead' }, 'No pixel differs. That clears this picture and not the method: its rays met none of the cases in which it is wrong.');
-  return h('ul', { class: 'plain lead' }, words.map(([n, text]) => h('li', {}, h('b', {}, grouped(n)), ` ${n === 1 ? text.replace(/^show /, 'shows ').replace(/^differ /, 'differs ').replace(/^were /, 'was ') : text}`)));
+  return h('ul', { class: 'plain lead' }, words.map(([n, text]) => h('li', {}, h('b', {}, grouped(n)), ` ${n === 1 ? text.replace('pixels show', 'pixel shows').replace('pixels differ', 'pixel differs').replace('pixels were', 'pixel was') : text}`)));
 }
 
 export function picturePage(path, query) {

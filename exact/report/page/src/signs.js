@@ -71,17 +71,18 @@ export function answersTable(entry) {
   const wrongFirst = (one, other) => isWrong(other) - isWrong(one) || names.indexOf(one.name) - names.indexOf(other.name);
   // What is due is a matter of each method's contract; only what the record says of its own method is called wrong.
   const isWrong = ({ name, letter }) => (name === entry.method ? 2 : letter !== '-' && Number(letter) !== entry.truth?.hit ? 1 : 0);
-  const rows = all.filter(({ letter }) => letter !== '-').sort(wrongFirst).map((answer) => [
-    h('code', {}, answer.name),
-    { cell: said[answer.letter] ?? answer.letter, class: isWrong(answer) ? 'parts' : null },
-    isWrong(answer) === 2 ? h('b', { class: 'wrong' }, `✗ ${entry.outcome ?? 'wrong'}`)
-      : isWrong(answer) === 1 ? 'parts from the closed point sets' : '✓',
+  const asked = all.filter(({ letter }) => letter !== '-').sort(wrongFirst);
+  const rows = asked.filter(isWrong).map((answer) => [
+    h('code', {}, answer.name), h('span', { class: 'parts' }, said[answer.letter] ?? answer.letter),
+    isWrong(answer) === 2 ? h('b', { class: 'wrong' }, `✗ ${entry.outcome ?? 'wrong'}`) : '✗ parts from the closed point sets',
     method(answer.name).convention ?? '',
   ]);
+  const right = asked.filter((answer) => !isWrong(answer));
   const silent = all.filter(({ letter }) => letter === '-').length;
   return [
-    h('p', { class: 'note' }, due === null || due === undefined ? null : `Due of ${entry.method ?? 'the method'}: ${due ? 'a hit' : 'no hit'}. `,
-      silent > 0 && `${silent} further methods do not take this case or its format.`),
-    table(['method', 'answers', '', 'convention'], rows, { label: 'every method’s answer' }),
+    due !== null && due !== undefined && h('p', {}, `Due of ${entry.method ?? 'the method'}: ${due ? 'a hit' : 'no hit'}.`),
+    rows.length > 0 && table(['method', 'answers', 'which', 'convention'], rows, { label: 'methods that part from the closed point sets' }),
+    right.length > 0 && h('p', {}, h('b', {}, `✓ ${entry.truth?.hit ? 'hit' : 'no hit'}: `), right.map(({ name }, i) => [i > 0 && ', ', h('code', {}, name)]), '.'),
+    silent > 0 && h('p', { class: 'note' }, `${silent} further methods do not take this case or its format.`),
   ];
 }

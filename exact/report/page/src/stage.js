@@ -2,9 +2,9 @@
 // logarithm of the window's half width, so that its slider runs evenly from the whole case to a window far below an ulp.
 import { h } from './dom.js';
 import { significant, superscript } from './figures.js';
-import { logOf } from './exact.js';
-import { crossingOf, edgesOf, focusOf, logDistance, nearestOnLine, nearestOnProbe, placeOf } from './question.js';
-import { minus } from './exact.js';
+import { isZero, logOf, minus } from './exact.js';
+import { unitOf } from './lens.js';
+import { crossingOf, edgesOf, focusOf, logDistance, nearestOnLine, nearestOnProbe, normalOf, placeOf } from './question.js';
 import { ulp } from './rounded.js';
 import { note } from './route.js';
 import { View3D } from './view3d.js';
@@ -74,6 +74,9 @@ export function stage(question, state) {
     return h('p', { class: 'note' }, 'This browser draws no WebGL, so there is no 3D view; all else is here.');
   }
   current = view;
+  const normal = normalOf(question);
+  const { direction } = question.exact;
+  view.face(isZero(normal) ? null : unitOf(normal), isZero(direction) ? [0, 0, 0] : unitOf(direction));
   return controls(question, state, { canvas, labels, view });
 }
 

@@ -1,7 +1,7 @@
-// The case in 3D: three.js draws what the lens shows. The eye looks at the focus from a fixed distance; zooming makes
-// the window of the lens smaller instead, and all geometry is made again, exactly, for each size.
+// The case in 3D: three.js draws what the lens shows, in a parallel projection. Zooming makes the window of the lens
+// smaller, and all geometry is made again, exactly, for each size.
 import {
-  BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh, MeshBasicMaterial, PerspectiveCamera, Scene, ShapeUtils,
+  BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh, MeshBasicMaterial, OrthographicCamera, Scene, ShapeUtils,
   Vector2, Vector3, WebGLRenderer,
 } from 'three';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
@@ -11,7 +11,8 @@ import { minus } from './exact.js';
 import { Lens } from './lens.js';
 import { edgesOf, placeOf } from './question.js';
 
-const distance = 3.4;
+/** Half the height of what is seen, in windows. */
+const half = 1.15;
 
 export class View3D {
   /** Draws on `canvas`, and names in `labels`, an element that lies over it. `palette()` gives colours as CSS text. */
@@ -19,7 +20,7 @@ export class View3D {
     Object.assign(this, { canvas, labels, palette, yaw: 0.6, pitch: 0.45 });
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: true });
     this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
-    this.camera = new PerspectiveCamera(40, 1, 0.01, 100);
+    this.camera = new OrthographicCamera(-1, 1, 1, -1, -200, 200);
     this.scene = new Scene();
     this.world = new Group();
     this.scene.add(this.world);
@@ -90,6 +91,19 @@ export class View3D {
     this.labels.replaceChildren();
   }
 
+  /** Turns to where both the face and the probe are seen broad: |n·v| and |d×v| for unit vectors are large. */
+  face(normal, along) {
+    let best = -1;
+    for (let pitch = 0.2; pitch < 0.9; pitch += 0.12) {
+      for (let yaw = 0; yaw < 6.28; yaw += 0.13) {
+        const v = eyeAt(yaw, pitch);
+        const across = normal ? Math.abs(dotOf(normal, v)) : 1;
+        const score = Math.min(across, 0.75) * Math.sqrt(1 - dotOf(along, v) ** 2);
+        if (score > best + 1e-9) [best, this.yaw, this.pitch] = [score, yaw, pitch];
+      }
+    }
+  }
+
   turn(yaw, pitch) {
     this.yaw += yaw;
     this.pitch = Math.max(-1.55, Math.min(1.55, this.pitch + pitch));
@@ -101,16 +115,16 @@ export class View3D {
     const { clientWidth: width, clientHeight: height } = this.canvas;
     if (width === 0 || height === 0) return;
     this.renderer.setSize(width, height, false);
-    this.camera.aspect = width / height;
-    const level = Math.cos(this.pitch);
+    const aspect = width / height;
+    Object.assign(this.camera, { left: -half * aspect, right: half * aspect, top: half, bottom: -half });
     this.camera.up.set(0, 0, 1);
-    this.camera.position.set(level * Math.sin(this.yaw), -level * Math.cos(this.yaw), Math.sin(this.pitch)).multiplyScalar(distance);
+    this.camera.position.set(...eyeAt(this.yaw, this.pitch));
     this.camera.lookAt(0, 0, 0);
     this.camera.updateProjectionMatrix();
     this.renderer.render(this.scene, this.camera);
     for (const [label, spot] of this.names ?? []) {
       const seen = spot.clone().project(this.camera);
-      label.hidden = Math.abs(seen.x) > 0.98 || Math.abs(seen.y) > 0.96 || seen.z > 1;
+      label.hidden = Math.abs(seen.x) > 0.98 || Math.abs(seen.y) > 0.96;
       label.style.left = `${((seen.x + 1) / 2) * width}px`;
       label.style.top = `${((1 - seen.y) / 2) * height}px`;
     }
@@ -123,6 +137,10 @@ export class View3D {
     this.renderer.forceContextLoss();
   }
 }
+
+/** The direction to the eye: z is up. */
+const eyeAt = (yaw, pitch) => [Math.cos(pitch) * Math.sin(yaw), -Math.cos(pitch) * Math.cos(yaw), Math.sin(pitch)];
+const dotOf = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 
 const nameOfVertex = (question, ring, i) => {
   if (!question.isPolygon) return 'abc'[i];
