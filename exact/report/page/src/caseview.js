@@ -64,7 +64,7 @@ function classPart(row) {
   if (!row) return null;
   return h('section', { class: 'class-card' },
     sketchOf(row),
-    h('div', {}, h('h3', {}, 'Class ', link(to('class', row.id), row.id)), h('p', {}, row.words)));
+    h('div', {}, h('h2', { class: 'minor' }, 'Class ', link(to('class', row.id), row.id)), h('p', {}, row.words)));
 }
 
 /** `entry` is a row of the schema's cases, or as much of one as is known. */
@@ -81,7 +81,7 @@ export function casePage(entry, state, heading) {
     h('div', { class: 'pair' },
       stage(question, state),
       h('div', {}, facts(entry, question), classPart(classRow(entry.class ?? data.class)),
-        h('section', {}, h('h3', {}, 'Take it away'),
+        h('section', {}, h('h2', { class: 'minor' }, 'Take it away'),
           h('div', { class: 'copies' },
             copyButton('case (JSON line)', () => asJson(data)),
             emittable && hit !== null && copyButton('C', () => asC(data, hit, words)),

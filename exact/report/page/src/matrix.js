@@ -12,7 +12,7 @@ function countsOf(run) {
   if (run.kind === 'fuzz') {
     return rows(run.counts).map((row) => ({ ...row, method: row.method, judged: row.asked - row.unsupported }));
   }
-  return rows(run.record.sampled).map((row) => ({
+  return [...rows(run.record.sampled), ...rows(run.record.own_cases)].map((row) => ({
     ...row, method: run.record.method, slot: row.class ?? row.case, judged: row.n, wrong: row.k,
   }));
 }
@@ -36,7 +36,8 @@ export function casesWith(run, features) {
     return Object.entries(features).every(([name, value]) => {
       if (value === null || value === undefined) return true;
       if (name === 'fmt') return (entry.case.fmt ?? 'binary64') === value;
-      if (name === 'slot') return (entry.class ?? entry.case.class) === value;
+      // Constructions of polygons are no part of a case; then all cases of the family are shown.
+      if (name === 'slot') return entry.class ? entry.class === value : !classRow(value);
       return entry[name] === value;
     });
   });

@@ -11,8 +11,11 @@ function verdictItem(verdict) {
   const grave = gravity(verdict.level);
   return h('li', { class: `verdict grave-${grave}` },
     h('span', { class: 'mark', 'aria-hidden': 'true' }, marks[grave]),
-    h('div', {}, h('a', { href: pageOf(verdict.run) }, verdict.text), verdict.detail && h('small', {}, verdict.detail)));
+    h('div', {}, h('a', { href: pageOf(verdict.run) }, verdict.text), verdict.detail && h('small', {}, verdict.detail), itsCase(verdict)));
 }
+
+/** The plainest case behind a verdict. */
+const itsCase = ({ case: number }) => (Number.isInteger(number) ? h('small', {}, link(to('case', number), 'the plainest case')) : null);
 
 const pages = { fuzz: 'matrix', certificate: 'certificate', sweep: 'sweep', map: 'map', chart: 'chart', render: 'picture', leak: 'leak', bench: 'bench', relations: 'relations', compilers: 'compilers' };
 export const pageOf = (index) => to(pages[report.runs[index].kind] ?? 'cases', index);
@@ -86,7 +89,8 @@ export function overviewPage() {
     worst
       ? h('div', { class: `worst grave-${gravity(worst.level)}` },
         h('p', { class: 'eyebrow' }, `The worst verdict: ${words[gravity(worst.level)]}`),
-        h('h1', {}, link(pageOf(worst.run), worst.text)), worst.detail && h('p', {}, worst.detail))
+        h('h1', {}, link(pageOf(worst.run), worst.text)), worst.detail && h('p', {}, worst.detail),
+        Number.isInteger(worst.case) && h('p', {}, link(to('case', worst.case), 'See the plainest case of it')))
       : h('h1', {}, 'No verdict: these runs judge nobody'),
     shown.length > 0 && h('ul', { class: 'verdicts', 'aria-label': 'further verdicts, worst first' }, shown.map(verdictItem)),
     others.length > shown.length && h('details', {}, h('summary', {}, `${others.length - shown.length} more`), h('ul', { class: 'verdicts' }, others.slice(12).map(verdictItem))),

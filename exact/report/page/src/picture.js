@@ -95,7 +95,8 @@ class Viewer {
   }
 }
 
-function summaryOf({ difference, verdict_pixels: verdict }, pixels) {
+function summaryOf(run, pixels) {
+  const { record: { difference }, verdict_pixels: verdict } = run;
   const of = (name) => verdict?.[name] ?? 0;
   const words = [
     [of('method'), `pixels show a wrong answer of ${difference.method}`], [of('against'), `pixels show a wrong answer of ${difference.against}`],
@@ -116,13 +117,13 @@ export function picturePage(path, query) {
   return [
     h('h1', {}, run.title),
     chooseRun(runs, run.index, 'picture'),
-    summaryOf(record, pixels),
-    viewerOf(record, pixels, query, method, against),
+    summaryOf(run, pixels),
+    viewerOf(record, run.images ?? {}, pixels, query, method, against),
     pixels.length > 0 && pixelTable(pixels),
   ];
 }
 
-function viewerOf(record, pixels, query, method, against) {
+function viewerOf(record, numbers, pixels, query, method, against) {
   const canvas = h('canvas', {
     class: 'picture', tabindex: 0, role: 'img', style: `aspect-ratio:${record.width}/${record.height}`,
     'aria-label': `${method} on the left, ${against} on the right. Arrow keys pan, plus and minus zoom, n and p go to the next and the previous differing pixel, Enter opens its case.`,
@@ -130,7 +131,7 @@ function viewerOf(record, pixels, query, method, against) {
   const viewer = new Viewer(canvas, record, pixels);
   const told = h('p', { class: 'detail', role: 'status' }, pixels.length ? 'Click a framed pixel, or press n in the picture, for its case.' : ' ');
   const slider = h('input', { type: 'range', id: 'split', min: 0, max: 100, value: 50, oninput: () => { viewer.split = slider.value / 100; viewer.draw(); } });
-  const modes = [['slider', 'both'], ['method', method], ['against', against], ['difference', 'difference'], ['tests', 'cost in tests'], ['stages', 'stages']].filter(([name]) => name === 'slider' || record.images[name] !== null && record.images[name] !== undefined);
+  const modes = [['slider', 'both'], ['method', method], ['against', against], ['difference', 'difference'], ['tests', 'cost in tests'], ['stages', 'stages']].filter(([name]) => name === 'slider' || numbers[name] !== null && numbers[name] !== undefined);
   const chooser = h('select', { id: 'mode', onchange: () => { viewer.mode = chooser.value; slider.disabled = chooser.value !== 'slider'; note({ mode: chooser.value }); viewer.draw(); } }, modes.map(([name, words]) => h('option', { value: name }, words)));
 
   function choose(pixel) {
@@ -176,7 +177,7 @@ function viewerOf(record, pixels, query, method, against) {
   }, { passive: false });
 
   const names = ['method', 'against', 'difference', 'tests', 'stages'];
-  Promise.all(names.map((name) => loaded(report.images[record.images[name]]))).then((images) => {
+  Promise.all(names.map((name) => loaded(report.images[numbers[name]]))).then((images) => {
     viewer.images = Object.fromEntries(names.map((name, i) => [name, images[i]]));
     viewer.zoom = Math.min(64, Math.max(1, Number(query.get('zoom')) || 1));
     if (modes.some(([name]) => name === query.get('mode'))) chooser.value = viewer.mode = query.get('mode');

@@ -39,7 +39,8 @@ export function signsTable(question) {
     h('code', {}, name), meanings(question.isRay)[i],
     { cell: h('b', { class: 'sign' }, sign(exact[i])), class: 'n' }, { cell: volumes[i], class: 'n' },
     ...computed.flatMap((values) => {
-      const wrong = Math.sign(values[i]) !== exact[i];
+      // Naive tests read NaN as zero.
+      const wrong = (Math.sign(values[i]) || 0) !== exact[i];
       return [
         { cell: [h('b', { class: wrong ? 'sign wrong' : 'sign' }, sign(values[i])), wrong && h('span', { class: 'mark' }, ' ✗ wrong')], class: 'n' },
         { cell: significant(values[i]), class: 'n' },

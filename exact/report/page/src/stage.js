@@ -11,9 +11,9 @@ import { View3D } from './view3d.js';
 
 let current = null;
 
-/** Gives the graphics context of the last view back. */
+/** Frees what the last view drew. */
 export function leaveStage() {
-  current?.dispose();
+  current?.clear();
   current = null;
 }
 

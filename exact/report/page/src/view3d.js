@@ -14,12 +14,15 @@ import { edgesOf, placeOf } from './question.js';
 /** Half the height of what is seen, in windows. */
 const half = 1.15;
 
+/** One for all cases, as browsers keep few graphics contexts; each view copies the picture to a canvas of its own. */
+let renderer = null;
+
 export class View3D {
   /** Draws on `canvas`, and names in `labels`, an element that lies over it. `palette()` gives colours as CSS text. */
   constructor(canvas, labels, palette) {
     Object.assign(this, { canvas, labels, palette, yaw: 0.6, pitch: 0.45 });
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: true });
-    this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
+    renderer ??= new WebGLRenderer({ antialias: true, alpha: true });
+    renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
     this.camera = new OrthographicCamera(-1, 1, 1, -1, -200, 200);
     this.scene = new Scene();
     this.world = new Group();
@@ -114,27 +117,22 @@ export class View3D {
   render() {
     const { clientWidth: width, clientHeight: height } = this.canvas;
     if (width === 0 || height === 0) return;
-    this.renderer.setSize(width, height, false);
+    renderer.setSize(width, height, false);
     const aspect = width / height;
     Object.assign(this.camera, { left: -half * aspect, right: half * aspect, top: half, bottom: -half });
     this.camera.up.set(0, 0, 1);
     this.camera.position.set(...eyeAt(this.yaw, this.pitch));
     this.camera.lookAt(0, 0, 0);
     this.camera.updateProjectionMatrix();
-    this.renderer.render(this.scene, this.camera);
+    renderer.render(this.scene, this.camera);
+    [this.canvas.width, this.canvas.height] = [renderer.domElement.width, renderer.domElement.height];
+    this.canvas.getContext('2d').drawImage(renderer.domElement, 0, 0);
     for (const [label, spot] of this.names ?? []) {
       const seen = spot.clone().project(this.camera);
       label.hidden = Math.abs(seen.x) > 0.98 || Math.abs(seen.y) > 0.96;
       label.style.left = `${((seen.x + 1) / 2) * width}px`;
       label.style.top = `${((1 - seen.y) / 2) * height}px`;
     }
-  }
-
-  /** Browsers keep few contexts alive: a view that is left gives its own back. */
-  dispose() {
-    this.clear();
-    this.renderer.dispose();
-    this.renderer.forceContextLoss();
   }
 }
 
