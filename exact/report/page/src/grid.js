@@ -57,7 +57,7 @@ export function heatGrid({ rows, columns, cellOf, corner, label, compact }) {
     const text = step < 0 ? '·' : compact ? (step === 0 ? '0' : '') : short(told.share);
     const control = h(told?.href ? 'a' : 'span', {
       href: told?.href, class: `heat heat-${step < 0 ? 'none' : step}`, tabindex: -1,
-      'aria-label': `${rows[r].name}, ${columns[c].name}: ${step < 0 ? 'nobody was asked' : `${percent(told.share)} wrong`}`,
+      'aria-label': `${step < 0 ? 'nobody was asked' : `${text || percent(told.share)} % wrong`.replace('% %', '%')}: ${rows[r].name}, ${columns[c].name}`,
       role: told?.href ? null : 'img',
       onfocus: () => { here = [r, c]; say(r, c); }, onpointerenter: () => say(r, c),
     }, text);
