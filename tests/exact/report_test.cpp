@@ -206,7 +206,7 @@ TEST_F(ReportFiles, HostileNamesStayText) {
   EXPECT_EQ(r["runs"][0]["methods"][0], hostile);
   ASSERT_EQ(r["cases"].size(), 1u);
   EXPECT_EQ(r["cases"][0]["case"]["id"], hostile) << "a finding's keys do not replace the case";
-  EXPECT_EQ(r["cases"][0]["class"], "C012");
+  EXPECT_EQ(r["cases"][0]["class"], "C017");
   EXPECT_EQ(report_page(r).find("<script>alert"), std::string::npos);
 }
 
