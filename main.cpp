@@ -31,6 +31,8 @@ int main(int argc, char** argv) {
       {"sweep", "where does each method begin to fail? Outcomes along stress axes",
        "tribunal sweep --method sf-double,mt-double --axis scale,sliver --out sweep", declare_sweep},
       {"chart", "measure speed and accuracy on the same cases", "tribunal chart --out charts", declare_chart},
+      {"report", "one page to explore any results: of fuzz, certify, judge, sweep, chart, leak, render, bench",
+       "tribunal report findings certificate sweep --out report.html", declare_report},
       {"demo", "the whole tour: fuzz, certify, render, chart, and a page that shows it", "tribunal demo --out out",
        declare_demo},
   };
