@@ -1,6 +1,7 @@
 // Makes report.html, one self-contained file, of template.html, style.css and src/: `npm ci && npm run build`.
 // The result is committed, so that the program can be built without npm.
-import { readFile, writeFile } from 'node:fs/promises';
+import { createHash } from 'node:crypto';
+import { readdir, readFile, writeFile } from 'node:fs/promises';
 import { build } from 'esbuild';
 
 const here = (name) => new URL(name, import.meta.url);
@@ -26,6 +27,14 @@ async function notices() {
   return texts.join('\n');
 }
 
+/** A hash of all that the page is made of; tests/report/bundle.sh makes it again, without npm. */
+async function hashOfSources() {
+  const modules = (await readdir(here('src/'))).sort().map((name) => `src/${name}`);
+  const hash = createHash('sha256');
+  for (const name of ['build.mjs', 'package-lock.json', ...modules, 'style.css', 'template.html']) hash.update(`${name}\n`).update(await readFile(here(name)));
+  return hash.digest('hex');
+}
+
 // A function as replacement, since a string would have its $ interpreted.
 const put = (text, mark, value) => {
   if (text.split(mark).length !== 2) throw new Error(`template.html: ${mark} must stand in it once`);
@@ -37,6 +46,7 @@ const licences = await notices();
 let page = await read('template.html');
 page = put(page, '/*STYLE*/', await bundled('style.css'));
 page = put(page, '/*SCRIPT*/', script);
+page = put(page, 'SOURCES', await hashOfSources());
 page = put(page, 'LICENCES', licences.replaceAll('&', '&amp;').replaceAll('<', '&lt;'));
 if (Buffer.byteLength(page) > limit) throw new Error(`report.html would have ${Buffer.byteLength(page)} bytes, more than ${limit}`);
 await writeFile(here('report.html'), page);

@@ -70,7 +70,7 @@ export function heatGrid({ rows, columns, cellOf, corner, label, compact }) {
     h('th', { scope: 'row', role: 'rowheader', title: row.title }, row.href ? h('a', { href: row.href }, row.label ?? row.name) : row.label ?? row.name),
     columns.map((_, c) => make(r, c))));
   if (cells[0]?.[0]) cells[0][0].tabIndex = 0;
-  const grid = h('table', { class: compact ? 'grid compact' : 'grid', role: 'grid', 'aria-label': label, onkeydown },
+  const grid = h('table', { class: compact ? 'grid compact' : 'grid', role: 'grid', 'aria-label': label, style: `max-width:${190 + 110 * columns.length}px`, onkeydown },
     h('thead', {}, h('tr', { role: 'row' }, h('th', { role: 'columnheader', class: 'corner' }, corner),
       columns.map((column) => h('th', { scope: 'col', role: 'columnheader', title: column.title },
         h('span', {}, column.href ? h('a', { href: column.href }, column.label ?? column.name) : column.label ?? column.name))))),

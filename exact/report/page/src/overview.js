@@ -15,7 +15,7 @@ function verdictItem(verdict) {
 }
 
 /** The plainest case behind a verdict. */
-const itsCase = ({ case: number }) => (Number.isInteger(number) ? h('small', {}, link(to('case', number), 'the plainest case')) : null);
+const itsCase = ({ case: number }) => (Number.isInteger(number) ? h('small', { class: 'more' }, link(to('case', number), 'the plainest case')) : null);
 
 const pages = { fuzz: 'matrix', certificate: 'certificate', sweep: 'sweep', map: 'map', chart: 'chart', render: 'picture', leak: 'leak', bench: 'bench', relations: 'relations', compilers: 'compilers' };
 export const pageOf = (index) => to(pages[report.runs[index].kind] ?? 'cases', index);
@@ -84,7 +84,7 @@ function runsTable() {
 export function overviewPage() {
   const verdicts = [...(report.verdicts ?? [])];
   const [worst, ...others] = verdicts;
-  const shown = others.slice(0, 12);
+  const shown = others.slice(0, 8);
   return [
     worst
       ? h('div', { class: `worst grave-${gravity(worst.level)}` },
@@ -92,9 +92,10 @@ export function overviewPage() {
         h('h1', {}, link(pageOf(worst.run), worst.text)), worst.detail && h('p', {}, worst.detail),
         Number.isInteger(worst.case) && h('p', {}, link(to('case', worst.case), 'See the plainest case of it')))
       : h('h1', {}, 'No verdict: these runs judge nobody'),
-    shown.length > 0 && h('ul', { class: 'verdicts', 'aria-label': 'further verdicts, worst first' }, shown.map(verdictItem)),
-    others.length > shown.length && h('details', {}, h('summary', {}, `${others.length - shown.length} more`), h('ul', { class: 'verdicts' }, others.slice(12).map(verdictItem))),
     gaps(),
+    shown.length > 0 && h('h2', {}, 'Further verdicts'),
+    shown.length > 0 && h('ul', { class: 'verdicts', 'aria-label': 'further verdicts, worst first' }, shown.map(verdictItem)),
+    others.length > shown.length && h('details', {}, h('summary', {}, `${others.length - shown.length} more`), h('ul', { class: 'verdicts' }, others.slice(shown.length).map(verdictItem))),
     methodsTable(),
     runsTable(),
   ];

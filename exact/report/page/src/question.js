@@ -104,9 +104,10 @@ export function focusOf(question) {
   const { p, direction, q } = question.exact;
   const end = question.isRay ? plus(p, direction) : q;
   const normal = normalOf(question);
+  const inPlane = !isZero(normal) && dot(normal, minus(p, question.exact.rings[0][0])) === 0n;
   const candidates = edgesOf(question).flatMap((edge) => [
     placeOf(edge[0]),
-    ...(isZero(normal) ? [] : [meeting(edge, { p, direction }, normal)]).filter(Boolean),
+    ...(inPlane ? [meeting(edge, { p, direction }, normal)] : []).filter(Boolean),
     ...[p, end].map((point) => nearestOnLine(edge[0], minus(edge[1], edge[0]), placeOf(point), true)),
   ]);
   const gap = (place) => logDistance(question, place, nearestOnProbe(question, place));
