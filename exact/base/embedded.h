@@ -13,4 +13,7 @@ extern const char* const embedded_plot_script;
 /// exact/sweep/plot.py: draws sweeps and failure maps.
 extern const char* const embedded_sweep_script;
 
+/// exact/report/page/report.html: the page of a report, with a place for its JSON.
+extern const char* const embedded_report_page;
+
 }  // namespace tribunal

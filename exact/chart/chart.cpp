@@ -7,23 +7,12 @@
 #include "exact/certificate/bounds.h"
 #include "exact/certificate/rate.h"
 #include "exact/chart/timing_json.h"
+#include "exact/record/contract_json.h"
 #include "exact/record/environment.h"
 #include "exact/record/errors_json.h"
 
 namespace tribunal {
 namespace {
-
-Json methods_json(const ChartPlan& plan) {
-  Json rows = Json::array();
-  for (const Method& m : plan.methods) {
-    rows.push_back({{"name", m.name},
-                    {"number", m.card.number},
-                    {"fmt", name_of(m.contract.format)},
-                    {"convention", name_of(m.contract.convention)},
-                    {"exact", m.contract.exact}});
-  }
-  return rows;
-}
 
 Json panels_json(const Chart& chart) {
   Json rows = Json::array();
@@ -96,7 +85,7 @@ Json to_json(const ChartPlan& plan, const Chart& chart) {
   object["seed"] = plan.seed;
   object["cases"] = plan.cases;
   object["confidence"] = 1 - confidence_alpha;
-  object["methods"] = methods_json(plan);
+  object["methods"] = methods_json(plan.methods);
   object["panels"] = panels_json(chart);
   object["rows"] = rows_json(plan, chart);
   object["onset"] = onset_json(plan, chart);

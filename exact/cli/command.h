@@ -70,5 +70,6 @@ Action declare_check(Arguments& arguments);
 Action declare_verify(Arguments& arguments);
 Action declare_chart(Arguments& arguments);
 Action declare_sweep(Arguments& arguments);
+Action declare_report(Arguments& arguments);
 
 }  // namespace tribunal

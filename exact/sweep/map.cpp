@@ -119,6 +119,25 @@ std::string rows_text(const std::vector<std::string>& rows) {
   return text + "]";
 }
 
+/// The case of the pixel in the middle, as a case file has it but for its id.
+std::string base_text(const MapContact& contact, Format format) {
+  const SegmentPair pair = contact.at(format);
+  const auto& [p, q] = pair.segment;
+  const auto& [a, b, c] = pair.triangle;
+  const Json base = {{"seg", {from_point(p), from_point(q)}}, {"tri", {from_point(a), from_point(b), from_point(c)}}};
+  return base.dump();
+}
+
+/// Of each format that is asked, what `member` makes of it, as an object.
+template <class Member>
+std::string by_format(const FailureMap& map, const Member& member) {
+  std::string text = "{";
+  for (const auto& [format, rows] : map.truth) {
+    text += (text.size() > 1 ? ",\n  " : "\n  ") + Json(name_of(format)).dump() + ": " + member(format);
+  }
+  return text + "}";
+}
+
 std::string panel_text(const Method& m, const MapPanel& panel) {
   Json counts = Json::object();
   for (const auto& [outcome, n] : panel.counts) counts[std::string(name_of(outcome))] = n;
@@ -189,14 +208,12 @@ std::string to_json_text(const MapPlan& plan, const FailureMap& map) {
   std::string text = "{\n \"map\": " + Json(plan.contact->name).dump() +
                      ",\n \"about\": " + Json(plan.contact->about).dump() +
                      ",\n \"size\": " + std::to_string(plan.size) +
-                     ",\n \"moved\": \"x and y of the segment's source, by units in the last place\",\n \"truth\": {";
+                     ",\n \"moved\": \"x and y of the segment's source, by units in the last place\"";
+  text += ",\n \"base\": " + by_format(map, [&](Format f) { return base_text(*plan.contact, f); });
+  text += ",\n \"unit\": " + by_format(map, [](Format f) { return Json(hex_float(unit_of(f))).dump(); });
+  text += ",\n \"truth\": " + by_format(map, [&](Format f) { return rows_text(map.truth.at(f)); });
+  text += ",\n \"panels\": [";
   bool first = true;
-  for (const auto& [format, rows] : map.truth) {
-    text += (first ? "\n  " : ",\n  ") + Json(name_of(format)).dump() + ": " + rows_text(rows);
-    first = false;
-  }
-  text += "},\n \"panels\": [";
-  first = true;
   for (const MapPanel& panel : map.panels) {
     text += (first ? "\n" : ",\n") + panel_text(plan.methods[panel.method], panel);
     first = false;

@@ -10,6 +10,7 @@
 #include "exact/base/parallel.h"
 #include "exact/certificate/bounds.h"
 #include "exact/certificate/rate.h"
+#include "exact/record/contract_json.h"
 #include "exact/record/counterexample.h"
 #include "exact/record/environment.h"
 
@@ -49,18 +50,6 @@ Case witness_of(const SweepPlan& plan, const Threshold& t, const Witness& w) {
 }
 
 // --- JSON -----------------------------------------------------------------------------------------------------------
-
-Json methods_json(const SweepPlan& plan) {
-  Json rows = Json::array();
-  for (const Method& m : plan.methods) {
-    rows.push_back({{"name", m.name},
-                    {"number", m.card.number},
-                    {"fmt", name_of(m.contract.format)},
-                    {"convention", name_of(m.contract.convention)},
-                    {"exact", m.contract.exact}});
-  }
-  return rows;
-}
 
 Json axis_json(const StressAxis& a) {
   Json values = Json::object(), easiest = Json::object();
@@ -233,7 +222,7 @@ std::string to_json_text(const SweepPlan& plan, const Sweep& sweep, const std::v
   };
   return "{\n" + member("seed", std::to_string(plan.seed)) + ",\n" + member("cases", std::to_string(plan.cases)) +
          ",\n" + member("confidence", Json(1 - confidence_alpha).dump()) + ",\n" +
-         member("methods", lines_of(methods_json(plan))) + ",\n" + member("axes", lines_of(axes)) + ",\n" +
+         member("methods", lines_of(methods_json(plan.methods))) + ",\n" + member("axes", lines_of(axes)) + ",\n" +
          member("rows", lines_of(rows)) + ",\n" + member("thresholds", lines_of(marks)) + ",\n" +
          member("audited", std::to_string(sweep.audited)) + ",\n" + member("environment", environment().dump()) +
          "\n}\n";

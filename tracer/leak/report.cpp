@@ -150,6 +150,18 @@ std::vector<std::uint32_t> by_count(const std::vector<std::uint32_t>& counts) {
   return faces;
 }
 
+/// The faces with the most leaks, with their corners, so that whoever reads it can show where they are.
+Json worst_json(const Surface& surface, const SubjectReport& report, std::size_t most) {
+  Json faces = Json::array();
+  for (const std::uint32_t f : by_count(report.leaks_at)) {
+    if (faces.size() == most) break;
+    const auto& [a, b, c] = surface.triangle(f);
+    faces.push_back(
+        {{"face", f}, {"leaks", report.leaks_at[f]}, {"tri", {from_point(a), from_point(b), from_point(c)}}});
+  }
+  return faces;
+}
+
 }  // namespace
 
 std::string table(const std::vector<Subject>& subjects, const LeakReport& report, Format format, bool each_aim) {
@@ -216,6 +228,7 @@ Json summary(const Surface& surface, const std::vector<Subject>& subjects, const
     if (s.worst_ulps > 0) row["worst_t_ulps"] = s.worst_ulps;
     if (s.worst_degrees > 0) row["worst_normal_degrees"] = s.worst_degrees;
     if (!s.faults.empty()) row["faults"] = s.faults;
+    if (Json faces = worst_json(surface, s, 20); !faces.empty()) row["worst_faces"] = std::move(faces);
     if (!subjects[i].tells_parity) row["all"].erase("parity");
     rows.push_back(std::move(row));
   }
