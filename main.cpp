@@ -33,8 +33,8 @@ int main(int argc, char** argv) {
       {"chart", "measure speed and accuracy on the same cases", "tribunal chart --out charts", declare_chart},
       {"report", "one page to explore any results: of fuzz, certify, judge, sweep, chart, leak, render, bench",
        "tribunal report findings certificate sweep --out report.html", declare_report},
-      {"demo", "the whole tour: fuzz, certify, render, chart, and a page that shows it", "tribunal demo --out out",
-       declare_demo},
+      {"demo", "the whole tour: fuzz, certify, sweep, render, chart, and report, a page that shows it",
+       "tribunal demo --out out", declare_demo},
   };
   return run_program(commands, argc, argv);
 }

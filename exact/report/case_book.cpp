@@ -66,7 +66,7 @@ void CaseBook::choose(std::size_t most) {
 }
 
 void CaseBook::note_answers(const Case& c) {
-  if (!c.finding.is_object() || !c.finding.contains("answers")) return;
+  if (!c.finding.is_object() || !c.finding.contains("answers") || !c.finding["answers"].is_object()) return;
   for (const auto& [name, answer] : c.finding["answers"].items()) {
     if (std::ranges::find(answer_methods_, name) == answer_methods_.end()) answer_methods_.push_back(name);
   }

@@ -11,6 +11,9 @@
 namespace tribunal {
 namespace {
 
+/// More rows than these make a page heavy: rows without a wrong answer are then added up.
+constexpr std::size_t most_rows = 120'000;
+
 /// A count as a row of the tables has it: the numbers of a row of summary.json, in this order.
 constexpr std::array numbers = {"asked", "wrong", "unsupported", "refused", "false hit",  "false miss", "wrong contact",
                                 "fault", "plain", "boundary",    "extreme", "twin asked", "logic",      "rounding"};
@@ -65,6 +68,18 @@ class Sums {
   std::map<std::vector<std::string>, std::size_t> index_;
   std::vector<std::pair<std::vector<std::string>, Numbers>> sums_;
 };
+
+Table counts_table(const Sums& counts) {
+  std::vector<std::string> columns{"method", "family", "fmt", "slot"};
+  columns.insert(columns.end(), numbers.begin(), numbers.end());
+  Table table(columns);
+  for (const auto& [key, n] : counts.all()) {
+    std::vector<Json> cells(key.begin(), key.end());
+    cells.insert(cells.end(), n.begin(), n.end());
+    table.add(std::move(cells));
+  }
+  return table;
+}
 
 Table totals_table(const Sums& totals) {
   Table table({"method", "family", "fmt", "asked", "judged", "wrong", "share", "lower", "upper", "plain", "boundary",
@@ -144,18 +159,19 @@ void gather_fuzz(Run& run, Gathering& g) {
   for (const Json& name : run.page["methods"]) g.add_method({{"name", name}});
   run.page["command"] = command_for(run);
   const bool triangles = r.contains("classes_judged");
-  std::vector<std::string> columns{"method", "family", "fmt", "slot"};
-  columns.insert(columns.end(), numbers.begin(), numbers.end());
-  Table counts(columns);
-  Sums by_family, by_format;
+  Sums by_slot, by_family, by_format;
   for (const Json& row : r.at("counts")) {
     const std::string method = row.at("method"), family = row.at("family"), fmt = row.at("fmt");
+    const std::string slot = row.at(triangles ? "class" : "case");
     const Numbers n = numbers_of(row);
-    std::vector<Json> cells{method, family, fmt, row.at(triangles ? "class" : "case")};
-    cells.insert(cells.end(), n.begin(), n.end());
-    counts.add(std::move(cells));
+    const bool together = r["counts"].size() > most_rows && n[1] == 0 && n[3] == 0;
+    by_slot.add({method, family, fmt, together ? "all others" : slot}, n);
     by_family.add({method, family, fmt}, n);
     by_format.add({method, fmt}, n);
+  }
+  if (by_slot.all().size() < r["counts"].size()) {
+    g.leave_out(run, "of " + std::to_string(r["counts"].size()) +
+                         " counts those without a wrong answer are added up, as `all others` of each family");
   }
   for (const auto& [key, n] : by_format.all()) {
     if (n[0] > n[2]) g.add(line_of(run.number, key[0], key[1], named(n)));
@@ -167,7 +183,7 @@ void gather_fuzz(Run& run, Gathering& g) {
   }
   run.page["slots"] = triangles ? "class" : "case";
   run.page["totals"] = totals_table(by_family).json();
-  run.page["counts"] = counts.json(true);
+  run.page["counts"] = counts_table(by_slot).json(true);
 }
 
 void gather_relations(Run& run, Gathering& g) {

@@ -59,8 +59,8 @@ char character_of(Outcome outcome, bool hit);
 /// A method is asked in its own format. Deterministic. Fails with 128 + signal if interrupted.
 FailureMap failure_map(const MapPlan& plan);
 
-/// map-NAME.json: one row of pixels a line. With the case in the middle and the unit, so that whoever reads it can make the
-/// case of any pixel.
+/// map-NAME.json: one row of pixels a line. With the case in the middle and the unit, so that whoever reads it can make
+/// the case of any pixel.
 std::string to_json_text(const MapPlan& plan, const FailureMap& map);
 
 /// What the terminal shows.
