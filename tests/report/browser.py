@@ -1,4 +1,5 @@
 """A headless Chromium from Debian's packages, and what the test asks of it."""
+import base64
 import json
 import os
 import pathlib
@@ -109,15 +110,16 @@ class Page:
         asked = [event['params']['request']['url'] for event in events if event['method'] == 'Network.requestWillBeSent']
         return lines + [url[:200] for url in asked if not url.startswith('data:') and url.split('#')[0] != self.address]
 
+    def takes_pictures(self):
+        return 'SCREENSHOTS' in os.environ
+
     def shot(self, name):
         """A picture of the whole page, for people, into $SCREENSHOTS if that is set."""
-        directory = os.environ.get('SCREENSHOTS')
-        if directory:
-            import base64
+        if self.takes_pictures():
             width, height = self.run('return [document.documentElement.clientWidth, document.documentElement.scrollHeight]')
             picture = self.driver.execute_cdp_cmd('Page.captureScreenshot', {
                 'captureBeyondViewport': True, 'clip': {'x': 0, 'y': 0, 'width': width, 'height': min(height, 2600), 'scale': 1}})
-            pathlib.Path(directory, name + '.png').write_bytes(base64.b64decode(picture['data']))
+            pathlib.Path(os.environ['SCREENSHOTS'], name + '.png').write_bytes(base64.b64decode(picture['data']))
 
     def close(self):
         self.driver.quit()

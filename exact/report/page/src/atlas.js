@@ -23,6 +23,8 @@ export function atlasPage(query) {
   ];
 }
 
+const meetings = { empty: 'nothing', point: 'a point', segment: 'a segment' };
+
 export function classPage(id) {
   const row = classRow(id);
   if (!row) return h('p', {}, 'There is no such class.');
@@ -34,8 +36,8 @@ export function classPage(id) {
   return [
     h('p', { class: 'crumbs' }, link(to('classes', { of: row.id.startsWith('R') ? 'rays' : 'segments' }), 'classes'), ' ', h('span', { class: 'steps' }, step(list[place - 1], '←'), ' ', step(list[place + 1], '→'))),
     h('h1', {}, `Class ${row.id}`), h('p', { class: 'lead' }, row.words),
-    h('div', { class: 'pair' }, h('div', { class: 'big-sketch' }, sketchOf(row)),
-      h('dl', { class: 'facts' }, [['meet in', row.intersection], ['touches', row.touches], ['contact', row.hit ? row.contact : 'none'], ['signs abcp abcq pqab pqbc pqca', row.signs.map((s) => '−0+'[s + 1]).join(' ')],
+    h('div', { class: 'class-card large' }, h('div', {}, sketchOf(row)),
+      h('dl', { class: 'facts' }, [['meet in', meetings[row.intersection] ?? row.intersection], ['touches', row.hit ? row.touches : null], ['contact', row.hit ? row.contact : 'none'], ['signs abcp abcq pqab pqbc pqca', row.signs.map((s) => '−0+'[s + 1]).join(' ')],
         ['a representative', row.points.map((point, i) => `${names[i]} = (${point.join(', ')})`).join(', ')],
         ['the paper’s reading', row.also?.transversal === undefined ? null : row.also.transversal ? 'a hit' : 'no hit']].filter(([, value]) => value !== null && value !== undefined).map(([name, value]) => [h('dt', {}, name), h('dd', {}, value)]))),
     wrongHere(id),

@@ -1,6 +1,6 @@
 // Speed against accuracy: a mark for each method in each population, and the frontier of what nobody beats in both.
 import { code, h, svg, table } from './dom.js';
-import { percent, percentTick, shareInWords, significant } from './figures.js';
+import { grouped, percent, percentTick, shareInWords, significant } from './figures.js';
 import { linesWithBands } from './lines.js';
 import { lookOf, markAt, markIcon } from './marks.js';
 import { chooseRun } from './matrix.js';
@@ -42,55 +42,45 @@ function placedNames(spots, box) {
   });
 }
 
-const drawnOf = ({ answers }) => answers.drawn ?? (answers.wrong === 0 ? answers.upper : answers.share);
-
 /** The points that no other beats in time and in share of wrong answers. */
 function frontierOf(points) {
-  const sorted = [...points].sort((a, b) => a.ns - b.ns || a.y - b.y);
+  const sorted = [...points].sort((a, b) => a.time - b.time || a.y - b.y);
   let best = Infinity;
   return sorted.filter((point) => point.y < best && ((best = point.y), true));
 }
 
-function axes(x, y, { width, height, left, right, top, bottom }) {
+function axes(x, y, { width, height, left, right, top, bottom }, xTitle) {
   return [
     x.ticks.map((v) => [svg('line', { class: 'rule', x1: x.place(v), x2: x.place(v), y1: top, y2: height - bottom }),
       svg('text', { x: x.place(v), y: height - bottom + 18, 'text-anchor': 'middle' }, significant(v))]),
     y.ticks.map((v) => [svg('line', { class: 'rule', x1: left, x2: width - right, y1: y.place(v), y2: y.place(v) }),
       svg('text', { x: left - 8, y: y.place(v) + 4, 'text-anchor': 'end' }, percentTick(v))]),
-    svg('text', { x: (left + width - right) / 2, y: height - 8, 'text-anchor': 'middle' }, 'nanoseconds a test'),
+    svg('text', { x: (left + width - right) / 2, y: height - 8, 'text-anchor': 'middle' }, xTitle),
     svg('text', { x: 4, y: 12, 'text-anchor': 'start' }, 'wrong'),
   ];
 }
 
 function markOf(p, x, y, name, say) {
-  const [cx, cy] = [x.place(p.ns), y.place(p.y)];
-  const bar = p.bound
-    ? svg('path', { d: `M${cx},${cy}v20m-4,-5l4,5l4,-5`, fill: 'none', stroke: p.look.colour, 'stroke-width': 1.4 })
-    : svg('line', { x1: cx, x2: cx, y1: y.place(p.upper), y2: y.place(Math.max(p.lower, p.y / 30)), stroke: p.look.colour, 'stroke-width': 1.6 });
-  return svg('a', { href: p.href, 'aria-label': p.words, onfocus: () => say(p), onpointerenter: () => say(p) }, bar,
+  const [cx, cy] = [x.place(p.time), y.place(p.y)];
+  const whisker = { stroke: p.look.colour, 'stroke-width': 1.6 };
+  return svg('a', { href: p.href, 'aria-label': p.words, onfocus: () => say(p), onpointerenter: () => say(p) },
+    p.bound ? svg('path', { d: `M${cx},${cy}v20m-4,-5l4,5l4,-5`, fill: 'none', ...whisker })
+      : svg('line', { x1: cx, x2: cx, y1: y.place(p.upper), y2: y.place(Math.max(p.lower, p.y / 30)), ...whisker }),
+    p.from && svg('line', { x1: x.place(p.from), x2: x.place(p.to), y1: cy, y2: cy, ...whisker }),
     markAt(p.look.shape, cx, cy, 6, { fill: p.bound ? 'var(--paper)' : p.look.colour, stroke: p.look.colour, 'stroke-width': 2 }),
     svg('text', { ...name, class: 'name' }, p.method));
 }
 
-function scatter(points, label, say) {
+function scatter(points, label, xTitle, say) {
   const box = sizeOf();
-  const x = logScale(points.map((p) => p.ns), box.left + 10, box.width - box.right);
+  const x = logScale(points.flatMap((p) => [p.time, p.from ?? p.time, p.to ?? p.time]), box.left + 10, box.width - box.right);
   const lowest = points.map((p) => (p.bound ? p.y / 2 : Math.max(p.lower, p.y / 30)));
   const y = logScale([...points.map((p) => (p.bound ? p.y : p.upper)), ...lowest], box.height - box.bottom, box.top);
   const front = frontierOf(points);
-  const path = front.map((p, i) => (i === 0 ? `M${x.place(p.ns)},${y.place(p.y)}` : `H${x.place(p.ns)}V${y.place(p.y)}`)).join('');
-  const names = placedNames(points.map((p) => ({ x: x.place(p.ns), y: y.place(p.y), name: p.method })), box);
+  const path = front.map((p, i) => (i === 0 ? `M${x.place(p.time)},${y.place(p.y)}` : `H${x.place(p.time)}V${y.place(p.y)}`)).join('');
+  const names = placedNames(points.map((p) => ({ x: x.place(p.time), y: y.place(p.y), name: p.method })), box);
   return svg('svg', { class: 'scatter', viewBox: `0 0 ${box.width} ${box.height}`, role: 'group', 'aria-label': label },
-    axes(x, y, box), svg('path', { class: 'frontier', d: path }), points.map((p, i) => markOf(p, x, y, names[i], say)));
-}
-
-function pointOf(run, row, look) {
-  const { answers, nanoseconds } = row;
-  return {
-    method: row.method, ns: nanoseconds.median, y: drawnOf(row), lower: answers.lower, upper: answers.upper, bound: answers.wrong === 0, look,
-    href: casesOf(row.method, row.fmt),
-    words: `${row.method}: ${significant(nanoseconds.median)} ns a test (quartiles ${significant(nanoseconds.lower_quartile)} to ${significant(nanoseconds.upper_quartile)}); wrong: ${shareInWords(answers.wrong, answers.judged)}`,
-  };
+    axes(x, y, box, xTitle), svg('path', { class: 'frontier', d: path }), points.map((p, i) => markOf(p, x, y, names[i], say)));
 }
 
 /** The matrix of a method, if some hunt has it; else its cases. */
@@ -99,31 +89,76 @@ function casesOf(method, fmt) {
   return hunt ? to('matrix', hunt.index, { method, fmt }) : to('cases', { method });
 }
 
+/** What a mark needs of its share of wrong answers. */
+function shareOf({ wrong, judged, share, lower, upper }) {
+  return { y: wrong === 0 ? upper : share, k: wrong, n: judged, share, lower, upper, bound: wrong === 0 };
+}
+
+/** Times of tests, as multiples of the yardstick's where the record has them: these hold on other machines too. */
+function panelsOfTests(record) {
+  const timed = record.rows.filter((row) => row.nanoseconds?.median > 0 && row.answers?.judged > 0);
+  const names = record.panels.map((panel) => `${panel.title}, ${panel.fmt}`);
+  return record.panels.map((panel, i) => {
+    const own = timed.filter((row) => row.population === panel.population && row.fmt === panel.fmt);
+    const relative = record.yardstick !== undefined && own.every((row) => row.nanoseconds.ratio);
+    const unit = relative ? `times ${record.yardstick}` : 'ns a test';
+    return {
+      name: names.indexOf(names[i]) === names.lastIndexOf(names[i]) ? names[i] : `${names[i]}, ${panel.population}`,
+      about: panel.about, unit, xTitle: relative ? `time, in multiples of ${record.yardstick}` : 'nanoseconds a test',
+      points: own.map((row) => {
+        const { median, lower_quartile, upper_quartile, ratio } = row.nanoseconds;
+        return {
+          method: row.method, fmt: row.fmt, time: relative ? ratio.median : median, from: relative ? ratio.lower : null, to: relative ? ratio.upper : null, ...shareOf(row.answers),
+          timeInWords: `${relative ? `${significant(ratio.median)} times ${record.yardstick}, ` : ''}${significant(median)} ns a test (quartiles ${significant(lower_quartile)} to ${significant(upper_quartile)})`,
+        };
+      }),
+    };
+  });
+}
+
+/** Whole pictures: time a ray against pixels that show a wrong answer. */
+function panelOfPictures({ pictures }) {
+  const drawn = (pictures?.rows ?? []).filter((row) => row.pixels > 0 && row.rays_per_second?.median > 0);
+  return [...new Set(drawn.map((row) => row.fmt))].map((fmt) => ({
+    name: `Pictures, ${fmt}`, about: `Pixels that show a wrong answer, of ${pictures.scenes?.length ?? 'some'} scenes; what differs only because a secondary ray starts elsewhere is not wrong`,
+    unit: 'ns a ray', xTitle: 'nanoseconds a ray, one thread',
+    points: drawn.filter((row) => row.fmt === fmt).map((row) => ({
+      method: row.method, fmt, time: 1e9 / row.rays_per_second.median, ...shareOf({ ...row, judged: row.pixels }), timeInWords: `${significant(row.rays_per_second.median / 1e6)} million rays a second`,
+    })),
+  }));
+}
+
+function leaksOf({ leaks }) {
+  if (!leaks?.rows?.length) return null;
+  return h('section', {}, h('h2', {}, `Leaks of ${leaks.mesh}`), table(['method', 'format', 'rays', 'leaks', 'share', 'at most'], leaks.rows.map((row) => [
+    code(row.method), row.fmt.replace('binary', ''), { cell: grouped(row.rays), class: 'n' }, { cell: row.leaks > 0 ? h('b', { class: 'wrong' }, grouped(row.leaks)) : '0', class: 'n' },
+    { cell: percent(row.share), class: 'n' }, { cell: percent(row.upper), class: 'n' }]), { label: 'leaks' }));
+}
+
 export function chartPage(path, query) {
   const runs = runsOf('chart');
   const run = runs.find(({ index }) => index === Number(path[1])) ?? runs[0];
   if (!run) return h('p', {}, 'No chart is in this report.');
   const { record } = run;
-  const timed = record.rows.filter((row) => row.nanoseconds?.median > 0 && row.answers?.judged > 0);
-  const panels = record.panels.filter((panel) => timed.some((row) => row.population === panel.population && row.fmt === panel.fmt));
-  const nameOf = (panel) => `${panel.title}, ${panel.fmt}`;
-  const panel = panels.find((one) => nameOf(one) === query.get('panel')) ?? panels[0];
-  const order = inOrder(record.rows.map((row) => row.method));
-  const own = timed.filter((row) => row.population === panel?.population && row.fmt === panel?.fmt);
-  const points = own.map((row) => pointOf(run, row, lookOf(order.indexOf(row.method))));
+  const panels = [...panelsOfTests(record), ...panelOfPictures(record)].filter(({ points }) => points.length > 0);
+  const panel = panels.find(({ name }) => name === query.get('panel')) ?? panels[0];
+  const order = inOrder(record.methods.map(({ name }) => name));
   const told = h('p', { class: 'detail', role: 'status' }, 'Point at a mark, or go there by the Tab key, for its figures; a click goes to its cases.');
+  const points = (panel?.points ?? []).map((p) => ({
+    ...p, look: lookOf(order.indexOf(p.method)), href: casesOf(p.method, p.fmt), words: `${p.method}: ${p.timeInWords}; wrong: ${shareInWords(p.k, p.n)}`,
+  })).sort((a, b) => a.time - b.time);
   const front = new Set(frontierOf(points).map(({ method }) => method));
   return [
     h('h1', {}, 'What being right costs'),
     h('p', { class: 'lead' }, 'To the left is faster, down is right more often; both axes are logarithmic, and all marks were given the same cases. A hollow mark was never wrong: it stands at the most that its share may be, with 95 % confidence. The line is the frontier: nobody is both faster and more often right.'),
     chooseRun(runs, run.index, 'chart'),
-    tabs('population', panels.map(nameOf), panel && nameOf(panel), (name) => to('chart', run.index, { panel: name })),
+    tabs('population', panels.map(({ name }) => name), panel?.name, (name) => to('chart', run.index, { panel: name })),
     panel && h('p', {}, `${panel.about}.`),
-    points.length > 0 && [told, scatter(points, `time against wrong answers: ${nameOf(panel)}`, (p) => told.replaceChildren(p.words)),
-      table(['', 'method', 'ns a test', 'wrong', 'judged', 'share', 'at most', 'frontier'], own.sort((a, b) => a.nanoseconds.median - b.nanoseconds.median).map((row) => [
-        markIcon(lookOf(order.indexOf(row.method))), code(row.method), { cell: significant(row.nanoseconds.median), class: 'n' }, { cell: row.answers.wrong, class: 'n' }, { cell: row.answers.judged, class: 'n' },
-        { cell: percent(row.answers.share), class: 'n' }, { cell: percent(row.answers.upper), class: 'n' }, front.has(row.method) ? '●' : '']), { label: 'speed and accuracy' })],
-    onset(record, order),
+    points.length > 0 && [told, scatter(points, `time against wrong answers: ${panel.name}`, panel.xTitle, (p) => told.replaceChildren(p.words)),
+      table(['', 'method', panel.unit, 'wrong', 'judged', 'share', 'at most', 'frontier'], points.map((p) => [
+        markIcon(p.look), code(p.method), { cell: significant(p.time), class: 'n' }, { cell: grouped(p.k), class: 'n' }, { cell: grouped(p.n), class: 'n' },
+        { cell: percent(p.share), class: 'n' }, { cell: percent(p.upper), class: 'n' }, front.has(p.method) ? '●' : '']), { label: 'speed and accuracy' })],
+    onset(record, order), leaksOf(record),
   ];
 }
 

@@ -119,7 +119,7 @@ const hunts = () => [...runsOf('fuzz'), ...runsOf('certificate')];
 export function chooseRun(runs, index, where) {
   if (runs.length < 2) return null;
   const select = h('select', { id: 'run', onchange: () => { location.hash = to(where, select.value); } },
-    runs.map((run) => h('option', { value: run.index, selected: run.index === index }, `${run.title} (${run.directory})`)));
+    runs.map((run) => h('option', { value: run.index, selected: run.index === index }, run.title === run.directory ? run.title : `${run.title} (${run.directory})`)));
   return h('p', { class: 'controls' }, h('label', { for: 'run' }, 'of '), select);
 }
 

@@ -115,7 +115,8 @@ export function picturePage(path, query) {
   const pixels = rows(record.pixels);
   const { method, against } = record.difference ?? {};
   return [
-    h('h1', {}, run.title),
+    h('h1', {}, method && against ? `${method} against ${against}` : run.title),
+    record.scene && h('p', { class: 'crumbs' }, `${record.scene}, ${record.width} × ${record.height} pixels, ${record.fmt}`),
     chooseRun(runs, run.index, 'picture'),
     summaryOf(run, pixels),
     viewerOf(record, run.images ?? {}, pixels, query, method, against),

@@ -8,8 +8,12 @@ import { to } from './route.js';
 
 const outcomes = ['wrong', 'false hit', 'false miss', 'wrong contact', 'fault', 'refused'];
 
-/** A row of choices that are links, the present one marked. */
+/** A row of choices that are links, the present one marked; of many, a list to choose from. */
 export function tabs(label, names, current, hrefOf) {
+  if (names.length > 8) {
+    const select = h('select', { id: `tab-${label}`, onchange: () => { location.hash = hrefOf(select.value); } }, names.map((name) => h('option', { selected: name === current }, name)));
+    return h('p', { class: 'controls' }, h('label', { for: `tab-${label}` }, `${label} `), select);
+  }
   return h('nav', { class: 'tabs', 'aria-label': label }, names.map((name) => h('a', { href: hrefOf(name), 'aria-current': name === current ? 'true' : null }, name)));
 }
 
