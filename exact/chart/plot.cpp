@@ -1,10 +1,19 @@
 // Runs exact/chart/plot.py, which is compiled into the program.
 #include "exact/base/embedded.h"
 #include "exact/base/figures.h"
+#include "exact/base/json.h"
 #include "exact/chart/chart.h"
 
 namespace tribunal {
 
-void plot(const std::string& directory) { draw_figures(directory, embedded_plot_script, "chart.json"); }
+std::vector<std::string> plot(const std::string& directory, const Json& record) {
+  draw_figures(directory, embedded_plot_script, "chart.json");
+  std::vector<std::string> figures = {"speed-accuracy", "speed-accuracy-shares", "speed-accuracy-polygons", "speed"};
+  const auto has_rows = [&](const char* part) { return record.contains(part) && !record.at(part).at("rows").empty(); };
+  for (const char* const part : {"pictures", "leaks"}) {
+    if (has_rows(part)) figures.emplace_back(part);
+  }
+  return figures;
+}
 
 }  // namespace tribunal

@@ -21,6 +21,7 @@ struct SpeedRow {
   std::string call;           ///< "single", "batch", "prepared"; or "set-up", a triangle, which no probe changes
   std::size_t bytes = 0;      ///< kept of a triangle; 0: not known, or not kept
   std::vector<Timing> times;  ///< in the order of `hit_shares`; of set-up the first alone
+  bool does_nothing = false;  ///< no method, but a test that shows what a clock shows of none
 };
 
 /// Every call of every method, and of two tests that do nothing, interleaved, first about segments and then about rays:

@@ -79,7 +79,7 @@ std::string sign_row(const SignRow& row, int exact, int rounded) {
 
 const Json* drawn_row(const Json& chart, const std::string& population, const std::string& method) {
   for (const Json& row : chart.at("rows")) {
-    if (row.at("drawn") == true && row.at("population") == population && row.at("method") == method) return &row;
+    if (row.at("own_format") == true && row.at("population") == population && row.at("method") == method) return &row;
   }
   return nullptr;
 }
