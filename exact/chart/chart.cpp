@@ -116,6 +116,7 @@ Json to_json(const ChartPlan& plan, const Chart& chart) {
   object["methods"] = methods_json(plan);
   object["panels"] = panels_json(chart);
   object["rows"] = rows_json(plan, chart);
+  object["speed_pairs"] = timed_pairs;
   object["speed"] = to_json(chart.speed);
   object["environment"] = environment();
   return object;

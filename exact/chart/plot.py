@@ -11,6 +11,7 @@ speed                    time per test by the share of hits, a line of marks for
 Everything is read from the record; a mark's shape and fill come from what the record says of its method. Figures are as
 wide as a paper's column. A method that was never wrong stands in a band of its own below the axis, which has no zero.
 """
+import functools
 import json
 import math
 import os
@@ -23,8 +24,8 @@ except ImportError:
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
+from matplotlib.font_manager import findfont, get_font
 from matplotlib.lines import Line2D
-from matplotlib.textpath import TextPath
 
 WIDTH = 84 / 25.4  # inches
 INK, FAINT, PALE = "#222222", "#6E6E6E", "#DDDDDD"
@@ -95,6 +96,16 @@ def crosses(p, q, box):
                for t in range(steps + 1))
 
 
+def label_width(text):
+    """Points."""
+    return 0.64 * SMALL * len(text) + 0.6
+
+
+def box_of(text, to_points):
+    box = text.get_window_extent()
+    return tuple(to_points * v for v in (box.x0, box.y0, box.x1, box.y1))
+
+
 def place_labels(ax, points):
     """A number at each mark, where it covers no mark and no other number; a line to it, which crosses no mark, if it
     stands further off. In points, from the figure's corner."""
@@ -114,11 +125,17 @@ def place_labels(ax, points):
         bars.append((spot(p["left"], p["y"])[0], y - 0.3, spot(p["right"], p["y"])[0], y + 0.3))
         if "low" in p:
             bars.append((x - 0.3, spot(p["x"], p["low"])[1], x + 0.3, spot(p["x"], p["high"])[1]))
-    taken = []
-    for i in sorted(range(len(points)), key=lambda i: (where[i][0], where[i][1])):
+    wide, tall = (72 * inches for inches in ax.figure.get_size_inches())
+    taken = [box_of(text, to_points) for text in ax.texts if text.get_text().startswith("none wrong")]
+    for i in sorted(range(len(points)), key=lambda i: ("beside" not in points[i], where[i])):
         x, y = where[i]
         text = points[i]["text"]
-        w, h = 0.64 * SMALL * len(text) + 0.6, 0.76 * SMALL + 0.6
+        w, h = label_width(text), 0.76 * SMALL + 0.6
+        if "beside" in points[i]:
+            left = x + points[i]["beside"]
+            taken.append((left, y - h / 2, left + w, y + h / 2))
+            ax.figure.text((left + w / 2) / wide, y / tall, text, ha="center", va="center_baseline", zorder=6)
+            continue
         best = None
         for radius in (0, 3, 7, 12, 18, 25):
             for turn in range(16):
@@ -129,18 +146,20 @@ def place_labels(ax, points):
                 cost = 0.35 * radius + sum(9 * overlap(box, m) for m in marks) + sum(12 * overlap(box, t) for t in taken)
                 cost += sum(4 * overlap(box, b) for b in bars)
                 cost += 1000 * (box[0] < frame[0] or box[1] < frame[1] or box[2] > frame[2] or box[3] > frame[3])
-                if radius > 2:
+                if radius > 3:
                     cost += 60 * sum(crosses((x, y), (cx, cy), m) for j, m in enumerate(marks) if j != i)
                     cost += 30 * sum(crosses((x, y), (cx, cy), t) for t in taken)
                 if best is None or cost < best[0] - 1e-9:
                     best = (cost, box, cx, cy, radius)
         _, box, cx, cy, radius = best
         taken.append(box)
-        ax.annotate(text, (x / to_points, y / to_points), (cx / to_points, cy / to_points), xycoords="figure pixels",
-                    textcoords="figure pixels", ha="center", va="center_baseline", fontsize=SMALL, zorder=6,
-                    annotation_clip=False,
-                    arrowprops=None if radius <= 2 else {"arrowstyle": "-", "lw": 0.35, "color": FAINT, "shrinkA": 0,
-                                                         "shrinkB": MARK / 2})
+        ax.figure.text(cx / wide, cy / tall, text, ha="center", va="center_baseline", zorder=6)
+        if radius > 3:
+            far = math.hypot(cx - x, cy - y)
+            from_mark, to_number = (half + 0.2) / far, 1 - 0.5 * h / far
+            ax.figure.add_artist(Line2D([(x + f * (cx - x)) / wide for f in (from_mark, to_number)],
+                                        [(y + f * (cy - y)) / tall for f in (from_mark, to_number)],
+                                        transform=ax.figure.transFigure, color=FAINT, lw=0.4))
 
 
 # --- a panel -------------------------------------------------------------------------------------------------------
@@ -161,39 +180,49 @@ class Scale:
         self.floor = math.floor(math.log10(min(somes, default=1e-3)))
         self.top = math.ceil(math.log10(max((r["upper"] for r in rows if r["wrong"]), default=1)) - 0.15)
         self.top = max(self.top, self.floor + 2)
-        self.band = 0.5 * (self.top - self.floor)
+        self.band = 0.85 * (self.top - self.floor)
         self.name = name
 
     def levels(self):
         """Heights within the band; they mean nothing."""
-        return [self.floor - self.band * f for f in (0.45, 0.65, 0.85)]
+        return [self.floor - self.band * f for f in (0.26, 0.375, 0.49, 0.605, 0.72, 0.835, 0.95)]
 
     def dress(self, ax, label):
-        bottom = self.floor - self.band
+        bottom = self.floor - 1.02 * self.band
         ax.set_ylim(bottom, self.top + 0.08 * (self.top - self.floor))
-        ax.axhspan(bottom, self.floor - 0.06 * self.band, color="#F0F0F0", lw=0, zorder=0)
+        ax.axhspan(bottom, self.floor - 0.04 * self.band, color="#F0F0F0", lw=0, zorder=0)
         every = 1 if self.top - self.floor < 4 else 2
         ticks = list(range(self.top, self.floor - 1, -every))
-        ax.set_yticks(ticks + [self.levels()[1]], [self.name(10.0 ** t) for t in ticks] + ["none"])
+        ax.set_yticks(ticks + [self.levels()[3]], [self.name(10.0 ** t) for t in ticks] + ["none"])
         for t in ticks:
             ax.axhline(t, color=PALE, lw=0.4, zorder=0)
-        ax.text(0.985, (self.floor - 0.1 * self.band - bottom) / (self.top + 0.08 * (self.top - self.floor) - bottom),
-                label, transform=ax.transAxes, ha="right", va="top", fontsize=SMALL - 0.4, color=FAINT)
+        ax.text(0.985, (self.floor - 0.06 * self.band - bottom) / (self.top + 0.08 * (self.top - self.floor) - bottom),
+                label, transform=ax.transAxes, ha="right", va="top", fontsize=SMALL - 0.4, color=FAINT,
+                bbox={"facecolor": "#F0F0F0", "edgecolor": "none", "pad": 0.3})
 
 
-def points_of(rows, methods, scale, usual):
-    """Rows as points: those with none wrong on the levels of the band, so that near ones lie apart."""
-    points, last = [], [-math.inf] * 3
-    for r in sorted(rows, key=lambda r: r["x"]):
+def points_of(ax, rows, methods, scale, usual):
+    """Rows as points. Those with none wrong are dealt to the levels of the band, so that marks, bars and the number right
+    of each lie apart; `beside` is where that number begins, in points right of the mark."""
+    points, ends = [], [-math.inf] * len(scale.levels())
+    across = ax.get_position().width * WIDTH * 72
+    for r in sorted(rows, key=lambda r: r["left"]):
         p = {"x": r["x"], "left": r["left"], "right": r["right"], "name": r["method"], "wrong": r["wrong"],
              "share": r["share"], "text": str(methods.number[r["method"]]) + ("*" if r["n"] < usual else "")}
+        points.append(p)
         if r["wrong"]:
             p["y"], p["low"], p["high"] = (math.log10(max(r[k], 1e-12)) for k in ("share", "lower", "upper"))
-        else:
-            level = max(range(3), key=lambda i: (min(math.log(r["x"]) - last[i], 1.2), -i))
-            last[level] = math.log(r["x"])
-            p["y"] = scale.levels()[level]
-        points.append(p)
+            continue
+        low, high = map(math.log, ax.get_xlim())
+        left, middle, right = (across * (math.log(r[k]) - low) / (high - low) for k in ("left", "x", "right"))
+        left, right = min(left, middle - MARK / 2 - 0.8), max(right, middle + MARK / 2) + 0.8
+        wide = label_width(p["text"])
+        p["beside"] = right - middle if right + wide < across + 4 else left - wide - middle
+        left, right = min(left, middle + p["beside"]), max(right, middle + p["beside"] + wide)
+        free = [i for i, end in enumerate(ends) if end <= left]
+        level = free[0] if free else min(range(len(ends)), key=lambda i: ends[i])
+        ends[level] = right
+        p["y"] = scale.levels()[level]
     return points
 
 
@@ -212,7 +241,7 @@ def draw_panel(ax, rows, methods, scale, better_left=True):
     rows = [r for r in rows if r["n"]]
     usual = max((r["n"] for r in rows), default=0)
     scale.dress(ax, f"none wrong of {whole(usual)}" if usual else "nothing judged")
-    points = points_of(rows, methods, scale, usual)
+    points = points_of(ax, rows, methods, scale, usual)
     steps = []
     for p in frontier_of(points, better_left):
         if steps:
@@ -233,11 +262,11 @@ def decades(low, high):
             if low <= m * 10.0 ** e <= high]
 
 
-def dress_x(axes, rows, label, name, unit=None):
+def dress_x(axes, rows, name, unit=None):
     """One logarithmic axis for all panels of a figure; a line at `unit`."""
     low, high = min(r["left"] for r in rows) / 1.5, max(r["right"] for r in rows) * 1.6
     ticks = decades(low, high)
-    if len(ticks) > 6:
+    if len(ticks) > 4:
         ticks = [t for t in ticks if f"{t:e}"[0] == "1"]
     for row in axes:
         for ax in row:
@@ -247,15 +276,21 @@ def dress_x(axes, rows, label, name, unit=None):
             ax.set_xticks([], minor=True)
             if unit:
                 ax.axvline(unit, color=FAINT, lw=0.5, ls=":", zorder=1)
-    axes[-1][0].text(1.03, -0.2 * 1.0, "", transform=axes[-1][0].transAxes)
-    return label
 
 
 # --- text ----------------------------------------------------------------------------------------------------------
 
+@functools.lru_cache(maxsize=None)
+def advance_of(character):
+    """In units of the font's size."""
+    font = get_font(findfont("DejaVu Sans"))
+    font.set_size(100, 72)
+    return font.load_char(ord(character)).linearHoriAdvance / 6553600
+
+
 def width_of(text, size=SMALL):
     """Inches."""
-    return TextPath((0, 0), text + ".", size=size).get_extents().width / 72 if text else 0
+    return sum(map(advance_of, text)) * size / 72
 
 
 def wrapped(text, width=WIDTH - 0.1):
@@ -348,29 +383,33 @@ class Key:
             y += LINE
 
 
-LEFT, RIGHT, GAP = 0.42, 0.06, 0.1
-PANEL = 1.22  # inches high
+LEFT, RIGHT, GAP = 0.5, 0.06, 0.1
+PANEL = 1.5  # inches high
 
 
 class Grid:
     """A title, rows of panels, two in a row, and a key."""
 
     def __init__(self, title, rows, key):
-        heights = 0.34 + rows * (PANEL + 0.19) + 0.32
+        heights = 0.24 + rows * (PANEL + 0.19) + 0.32
         self.sheet, self.key, self.below = Sheet(heights + key.height()), key, heights
         self.sheet.text(0.05, 0.05, title, 7.6, fontweight="bold")
         width = (WIDTH - LEFT - RIGHT - GAP) / 2
-        self.axes = [[self.sheet.axes(LEFT + c * (width + GAP), 0.43 + r * (PANEL + 0.19), width, PANEL) for c in range(2)]
+        self.axes = [[self.sheet.axes(LEFT + c * (width + GAP), 0.33 + r * (PANEL + 0.19), width, PANEL) for c in range(2)]
                      for r in range(rows)]
         for row in self.axes:
             row[1].tick_params(labelleft=False)
         for ax, fmt in zip(self.axes[0], FORMATS):
-            ax.text(1, 1.1 if rows == 1 else 1.11, f"{fmt} cases", transform=ax.transAxes, ha="right", va="bottom",
-                    color=FAINT)
+            ax.text(1, 1.035, fmt, transform=ax.transAxes, ha="right", va="bottom", color=FAINT)
 
     def label_row(self, r, title):
         self.axes[r][0].text(0, 1.035, title, transform=self.axes[r][0].transAxes, fontsize=SMALL + 0.7, va="bottom",
                              fontweight="bold")
+
+    def label_y(self, text):
+        for row in self.axes:
+            box = row[0].get_position()
+            self.sheet.figure.text(0.07 / WIDTH, (box.y0 + box.y1) / 2, text, rotation=90, ha="center", va="center")
 
     def label_x(self, text):
         self.sheet.text(LEFT + (WIDTH - LEFT - RIGHT) / 2, self.below - 0.2, text, ha="center")
@@ -401,11 +440,17 @@ def share_text(part, of):
     return "none" if part == 0 else f"{100 * part / of:.1f} %" if part * 1000 > of else "< 0.1 %"
 
 
-def makeup_note(panel):
-    n = panel["cases"]
-    note = f"{panel['title']} ({panel['fmt']}): {panel['about']}; {100 * panel['hits'] / n:.1f} % hit"
-    note += f", {share_text(panel['subnormal'], n)} with a subnormal coordinate"
-    return note + f", {share_text(panel['by_stage']['exact'], n)} past all integers of fixed width."
+def makeup_note(panels):
+    """One population, in either format."""
+    def shares(of):
+        texts = [share_text(of(p), p["cases"]) for p in panels]
+        return texts[0] if len(set(texts)) == 1 else " / ".join(texts)
+
+    note = f"{panels[0]['title']}: {panels[0]['about']}; hits {shares(lambda p: p['hits'])}"
+    for what, of in (("with a subnormal coordinate", lambda p: p["subnormal"]),
+                     ("past all integers of fixed width", lambda p: p["by_stage"]["exact"])):
+        note += f", {shares(of)} {what}"
+    return note + "."
 
 
 def numbers_text(numbers):
@@ -424,7 +469,7 @@ def unjudged_notes(record, methods, panels):
             none.setdefault(missing, []).append(panel)
         for m, a in own.items():
             if 0 < a["judged"] < usual:
-                fewer.setdefault((panel["title"], panel["fmt"], a["judged"]), []).append(methods.number[m])
+                fewer.setdefault((panel["title"], methods.number[m]), []).append(whole(a["judged"]))
     notes = []
     for missing, where in none.items():
         titles = [f"{p['title']}, {p['fmt']}" for p in where]
@@ -432,17 +477,19 @@ def unjudged_notes(record, methods, panels):
             titles = [f"all panels of {where[0]['fmt']} cases"]
         if len(where) == len(panels):
             titles = ["all panels"]
-        names = ", ".join(f"{n} {list(methods.by_name)[n - 1]}" for n in missing)
+        names = ", ".join(f"{n} {shortened(name)}" for name, n in methods.number.items() if n in missing)
         notes.append(f"Nothing to judge, so no mark, in {'; '.join(titles)}: {names}.")
-    parts = [f"{title}, {fmt}: {numbers_text(numbers)} on {whole(n)}" for (title, fmt, n), numbers in fewer.items()]
+    parts = [f"{title}: {number} on {' / '.join(dict.fromkeys(counts))}" for (title, number), counts in fewer.items()]
     if parts:
         notes.append("* judged on fewer cases, the rest being outside the contract: " + "; ".join(parts) + ".")
     return notes
 
 
-BARS = ("Bars are 95 % intervals both ways: of the share by Clopper and Pearson, of the time for the median over "
-        "{repetitions} repetitions, by ranks. Dashed: the frontier, than which nothing is both quicker and less often wrong. "
-        "In the grey band nothing was wrong; heights in it mean nothing.")
+def bars_note(repetitions):
+    time = (f"of time for the median over {repetitions} repetitions, by ranks" if repetitions >= 6
+            else "of time none, for want of repetitions")
+    return (f"Bars are 95 % intervals both ways: of shares by Clopper and Pearson, {time}. Dashed: the frontier, than which "
+            "nothing is both quicker and less often wrong. In the grey band nothing was wrong; heights in it mean nothing.")
 
 
 def bound_note(n):
@@ -466,21 +513,23 @@ def speed_accuracy(record, figure, title, out):
     repetitions = max(r["nanoseconds"]["repetitions"] for r in record["rows"])
     unit = f"1 = {record['yardstick']} in the same run" + (", on random triangles; polygons are prepared."
                                                          if figure == "polygons" else ", on the same pairs.")
-    notes = [BARS.format(repetitions=repetitions), f"Time: {unit} Each repetition took other pairs.",
+    notes = [bars_note(repetitions), f"Time: {unit} Each repetition took other pairs.",
              bound_note(max(r["n"] for r in drawn))]
     notes += unjudged_notes(record, methods, panels)
-    notes += [makeup_note(p) for p in panels if figure != "shares"]
+    if figure != "shares":
+        notes += [makeup_note([p for p in panels if p["population"] == key]) for key in keys]
+        notes.append("Where two figures stand, they are of binary32 / binary64 cases.")
     if figure == "shares":
         notes.append(f"{panels[0]['about'][0].upper()}{panels[0]['about'][1:]}, dealt to have these shares of hits.")
     key = Key(methods, taking, notes + [machine(record)])
     grid = Grid(title, len(keys), key)
     scale, placed = Scale(drawn), []
-    dress_x(grid.axes, drawn, "", lambda t: f"{t:g}×", 1)
+    dress_x(grid.axes, drawn, lambda t: f"{t:g}×", 1)
     for r, name in enumerate(keys):
         grid.label_row(r, next(p["title"] for p in panels if p["population"] == name))
         for ax, fmt in zip(grid.axes[r], FORMATS):
             placed.append((ax, draw_panel(ax, rows.get((name, fmt), []), methods, scale)))
-        grid.axes[r][0].set_ylabel("share of wrong answers")
+    grid.label_y("share of wrong answers")
     grid.label_x(f"time per test, as a multiple of {record['yardstick']}'s")
     grid.save(placed, out)
 
@@ -501,9 +550,9 @@ def two_panels(record, rows, title, ylabel, xlabel, name_x, notes, out, name_y=p
                          + ", ".join(f"{methods.number[m]} {shortened(m)}" for m in missing) + ".")
     grid = Grid(title, 1, Key(methods, names, notes + [machine(record)]))
     scale = Scale(drawn, name_y)
-    dress_x(grid.axes, drawn, "", name_x, unit)
+    dress_x(grid.axes, drawn, name_x, unit)
     placed = [(ax, draw_panel(ax, rows[fmt], methods, scale, better_left)) for ax, fmt in zip(grid.axes[0], FORMATS)]
-    grid.axes[0][0].set_ylabel(ylabel)
+    grid.label_y(ylabel)
     grid.label_x(xlabel)
     grid.save(placed, out)
 
@@ -521,7 +570,7 @@ def pictures(record, out):
     once = sorted({r["method"] for r in part["rows"] if "lower" not in r["rays_per_second"]})
     numbers = Methods(record).number
     starts = max(r["other_start"] for r in part["rows"])
-    notes = [BARS.format(repetitions=max(r["repetitions"] for r in part["rows"])),
+    notes = [bars_note(max(r["repetitions"] for r in part["rows"])),
              f"{len(part['scenes'])} scenes: {', '.join(os.path.splitext(s)[0] for s in part['scenes'])}; all faces as "
              f"triangles, {whole(part['rows'][0]['pixels'])} pixels a method and format, rays of all kinds counted, one "
              "thread, shading included.",
@@ -544,14 +593,14 @@ def leaks(record, out):
         return
     n = max(r["rays"] for r in part["rows"])
     repetitions = max(r["nanoseconds"]["repetitions"] for r in record["speed"])
-    notes = [BARS.format(repetitions=repetitions),
+    notes = [bars_note(repetitions),
              f"{part['mesh']}, {whole(n)} rays of each format at its vertices, edges and faces. A ray leaks if it passes through "
              "the surface, and no face is reported there.",
              f"Time: of random rays and triangles, 7 % hits, in binary64; 1 = {record['yardstick']} in the same run.",
              f"None of {whole(n)} leaves at most {1e6 * (1 - 0.05 ** (1 / n)):.2g} per million (95 %, one-sided)."]
     two_panels(record, rows, "Leaks against time", "leaks per million rays",
                f"time per test of a ray, as a multiple of {record['yardstick']}'s", lambda t: f"{t:g}×", notes, out,
-               name_y=lambda share: f"{1e6 * share:,.0f}" if share > 5e-7 else f"{1e6 * share:g}", unit=1)
+               name_y=lambda share: big(1e6 * share), unit=1)
 
 
 # --- time by the share of hits -------------------------------------------------------------------------------------
@@ -589,8 +638,8 @@ def speed(record, out):
     both = {**lines["ray"], **lines["segment"]}
     order = sorted(both, key=lambda k: (k[0] not in idle, -both[k][7]["median"]))
     names = [shortened(m if call == "single" else f"{m}, {call}", 30) for m, call in order]
-    notes = ["Random segments, or rays, and triangles of the unit cube, 53-bit coordinates, 65,200 pairs; each test in a loop "
-             "that was compiled around it. Mark: the median of nanoseconds a test; bar: its quartiles."]
+    notes = ["Random segments, or rays, and triangles of the unit cube, 53-bit coordinates, "
+             f"{whole(record['speed_pairs'])} pairs; each test in a loop that was compiled around it. Mark: the median of nanoseconds a test; bar: its quartiles."]
     if set_up:
         notes.append("To prepare a triangle takes, in ns: "
                      + ", ".join(f"{shortened(m)} {t:.0f}" for m, t in set_up.items()) + ".")

@@ -11,9 +11,6 @@
 namespace tribunal {
 namespace {
 
-/// More than a branch predictor learns; each repetition takes a stretch of them.
-constexpr std::size_t timed_pairs = 65'200;
-
 struct Call {
   SpeedRow row;
   NativeLoop loop;

@@ -14,6 +14,9 @@ namespace tribunal {
 /// Percentages of random pairs that hit: none, as many as the paper counted in its scenes, half, all.
 inline constexpr std::array hit_shares = {0, 7, 50, 100};
 
+/// Pairs of each share: more than a branch predictor learns; each repetition takes some of them.
+inline constexpr std::size_t timed_pairs = 65'200;
+
 /// One way to call one test, timed on each of `hit_shares`.
 struct SpeedRow {
   std::string method;

@@ -219,18 +219,13 @@ std::string charts(const Tour& tour) {
   return section("Speed against accuracy",
                  chart("speed-accuracy",
                        "Each mark is a method: to the left is faster, down is right more often, and all were given the "
-                       "same cases (those of one format, where the figure says so). A method that was never wrong is "
-                       "not drawn at zero, which no sample can show: its "
-                       "hollow mark stands at the most that its share of wrong answers may be, with 95 % confidence. " +
+                       "same cases, those of either format by themselves. Methods that were never wrong stand in a "
+                       "band of their own below the axis. " +
                            cost_in_words(tour.chart)) +
                      chart("speed",
                            "What a test costs its own users, in a loop that was compiled around it, by the share of "
                            "hits. A test that prepares triangles is shown as it comes, which includes preparing one, "
                            "and prepared; the time to prepare is beside it.") +
-                     chart("onset",
-                           "How long the numbers must be before rounding shows. To the left the coordinates are short "
-                           "and every product is exact; once products no longer fit the significand, naive methods "
-                           "turn wrong within a few bits. Exact methods stay at their bound.") +
                      paragraph("The numbers: <a href=\"charts/chart.json\">chart.json</a>; the script that draws them: "
                                "<a href=\"charts/plot.py\">plot.py</a>."));
 }

@@ -17,5 +17,3 @@ status=0
 "$TRIBUNAL" replay "$scratch/out/counterexample.jsonl" >"$scratch/replayed" || status=$?
 [ "$status" -eq 1 ] && grep -q 'sf-double .*WRONG' "$scratch/replayed"
 
-"$TRIBUNAL" chart --out "$scratch/charts" --count 3000 >/dev/null
-for file in chart.json speed-accuracy.svg speed-accuracy.png onset.svg onset.png speed.svg speed.png; do [ -s "$scratch/charts/$file" ]; done

@@ -142,6 +142,7 @@ int draw(const std::string& directory, const Json& record, const std::string& al
 
 /// From the record alone; nothing is measured.
 int redraw(const std::string& directory) {
+  watch_interrupts();
   const std::string file = directory + "/chart.json";
   return draw(directory, parse_json(read_file(file), {file}), "");
 }

@@ -132,8 +132,9 @@ void run_render(Runner& runner, const Options& o) {
 
 void run_chart(Runner& runner, const Options& o) {
   runner.announce(4, "chart: speed against accuracy");
-  runner.run(
-      {"chart", declare_chart, {"--threads", std::to_string(o.threads), "--out", o.out + "/" + demo_files::charts}});
+  runner.run({"chart",
+              declare_chart,
+              {"--quick", "--threads", std::to_string(o.threads), "--out", o.out + "/" + demo_files::charts}});
 }
 
 /// Writes the plainest counterexample to a file of its own and adds it to the page, with what `replay` says of it.
