@@ -63,13 +63,13 @@ bool one_faces(const std::vector<Method>& methods) {
                              [](const Method& m) { return m.tells_side || m.contract.culling != Culling::none; });
 }
 
-Truth truth_in(const FuzzPlan& plan, std::size_t stream, std::uint64_t k, const Trial& trial, Worker& worker) {
+Truth truth_in(const FuzzPlan& plan, std::size_t stream, std::uint64_t k, const Trial& trial, bool needs_facing,
+               Worker& worker) {
   if (plan.operands() == Operands::polygons) return truth_of(trial, k);
   if (is_audited(plan.seed, stream, k)) {
     ++worker.audited;
     return plan.quick ? audited_truth(trial, plan.quick) : audited_by_oracles(trial, plan.formulations);
   }
-  const bool needs_facing = one_faces(plan.methods);
   if (plan.quick == nullptr) return formulated_truth(trial, k, needs_facing, plan.formulations);
   return needs_facing ? quick_truth_with_facing(trial, plan.quick) : quick_truth(trial, plan.quick);
 }
@@ -93,9 +93,10 @@ void make_chunk(const FuzzPlan& plan, std::size_t stream, std::uint64_t first_k,
   chunk.trials.clear();
   chunk.truths.clear();
   const Stream& source = plan.streams[stream];
+  const bool needs_facing = one_faces(plan.methods);
   for (std::uint64_t k = first_k; k < end_k; ++k) {
     chunk.trials.push_back(source.family->make(source.format, plan.seed, k));
-    chunk.truths.push_back(truth_in(plan, stream, k, chunk.trials.back(), worker));
+    chunk.truths.push_back(truth_in(plan, stream, k, chunk.trials.back(), needs_facing, worker));
   }
   add_exact_hits(plan, chunk);
 }
@@ -170,7 +171,7 @@ void judge_chunk(const FuzzPlan& plan, std::size_t m, Worker& worker) {
   for (std::size_t i = 0; i < chunk.trials.size(); ++i) prefetch(count_of(m, i, worker));
   ask_all(method, plan.operands(), worker);
   require_intact_rounding(method);
-  TwinQuota quota;
+  TwinQuota quota{.early = 1};  // of the fifty cases of a chunk
   for (std::size_t i = 0; i < chunk.trials.size(); ++i) {
     const auto& trial = chunk.trials[i];
     const auto& truth = chunk.truths[i];

@@ -57,22 +57,21 @@ Severity severity_of(const Query& query, const Truth& truth);
 Cause cause_of(const Method& method, const Query& query, const Truth& truth, Outcome outcome);
 
 /// Asks the twin about some of many wrong answers, which saves time: about all that are plain; of the others about the
-/// first few of a run of cases, if they are of triangles, whose twins are quick; and about every 17th case, a prime, so
-/// that levels and kinds of probe have their share.
-class TwinQuota {
- public:
-  static constexpr std::uint64_t first = 4, one_in = 17;
+/// first `early` of a run of cases, if they are of triangles, whose twins are quick; and about every 17th case, a
+/// prime, so that levels and kinds of probe have their share.
+struct TwinQuota {
+  static constexpr std::uint64_t one_in = 17;
+
+  std::uint64_t early = 4;
 
   /// `unknown` for those about which it does not ask. `k`: the number of the case, or of the wrong answer.
   Cause cause_of(const Method& method, const Query& query, const Truth& truth, Outcome outcome, Severity severity,
                  std::uint64_t k) {
-    const bool early = query.operands() == Operands::triangles && seen_++ < first;
-    const bool asks = severity == Severity::plain || early || k % one_in == 0;
+    const bool is_early = query.operands() == Operands::triangles && early > 0;
+    early -= is_early;
+    const bool asks = severity == Severity::plain || is_early || k % one_in == 0;
     return asks ? tribunal::cause_of(method, query, truth, outcome) : Cause::unknown;
   }
-
- private:
-  std::uint64_t seen_ = 0;
 };
 
 constexpr std::string_view name_of(Outcome o) {
