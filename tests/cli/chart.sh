@@ -32,35 +32,37 @@ expect 2 chart --redraw again --method sf-double
 import json
 import sys
 
+sys.dont_write_bytecode = True
 sys.path.insert(0, "charts")
 import plot
+import plot_marks as marks
 
 record = json.load(open("charts/chart.json"))
 by_name = plot.Methods(record).by_name
-assert plot.arithmetic_of(by_name["my-quick"]) == "binary32" and by_name["my-quick"]["maker"] == "plugin"
-assert plot.arithmetic_of(by_name["sf-filtered"]) == "certified"
-assert plot.arithmetic_of(by_name["mt-double"]) == "binary64"
-assert len({shape for shape, _ in plot.ARITHMETIC.values()}) == 4, "in greyscale, shapes tell arithmetic"
-assert len({fill for _, fill, _ in plot.MAKERS.values()}) == 4, "and fills tell makers"
+assert marks.arithmetic_of(by_name["my-quick"]) == "binary32" and by_name["my-quick"]["maker"] == "plugin"
+assert marks.arithmetic_of(by_name["sf-filtered"]) == "certified"
+assert marks.arithmetic_of(by_name["mt-double"]) == "binary64"
+assert len({shape for shape, _ in marks.ARITHMETIC.values()}) == 4, "in greyscale, shapes tell arithmetic"
+assert len({fill for _, fill, _ in marks.MAKERS.values()}) == 4, "and fills tell makers"
 
 # One wrong of many stands above none wrong of few, and of more than that.
 some = {"left": 0.9, "x": 1, "right": 1.1}
 rows = [{"method": "mt-double", **some, "wrong": 1, "n": 10**9, "share": 1e-9, "lower": 2.5e-11, "upper": 5.6e-9},
         {"method": "sf-filtered", **some, "wrong": 0, "n": 50, "share": 0, "lower": 0, "upper": 0.06},
         {"method": "sf-double", **some, "wrong": 0, "n": 10**9, "share": 0, "lower": 0, "upper": 3e-9}]
-ax = plot.plt.figure(figsize=(2, 2)).add_axes((0.2, 0.2, 0.7, 0.7))
+ax = marks.plt.figure(figsize=(2, 2)).add_axes((0.2, 0.2, 0.7, 0.7))
 ax.set_xscale("log")
 ax.set_xlim(0.1, 10)
-scale = plot.Scale(rows)
-points = {p["name"]: p for p in plot.draw_panel(ax, rows, plot.Methods(record), scale)}
+scale = marks.Scale(rows)
+points = {p["name"]: p for p in marks.draw_panel(ax, rows, plot.Methods(record), scale)}
 for none in ("sf-filtered", "sf-double"):
     assert points[none]["y"] < scale.floor < points["mt-double"]["low"] < points["mt-double"]["y"], points
 assert points["sf-filtered"]["text"].endswith("*") and not points["sf-double"]["text"].endswith("*"), "judged on fewer"
 
 # The frontier has those than which none is better both ways.
 row = lambda name, x, share: {"x": x, "share": share, "name": name}
-assert [p["name"] for p in plot.frontier_of([row("a", 1, 0.5), row("b", 2, 0.6), row("c", 3, 0)], True)] == ["a", "c"]
-assert [p["name"] for p in plot.frontier_of([row("a", 1, 0.5), row("b", 2, 0.6), row("c", 3, 0)], False)] == ["c"]
+assert [p["name"] for p in marks.frontier_of([row("a", 1, 0.5), row("b", 2, 0.6), row("c", 3, 0)], True)] == ["a", "c"]
+assert [p["name"] for p in marks.frontier_of([row("a", 1, 0.5), row("b", 2, 0.6), row("c", 3, 0)], False)] == ["c"]
 
 # Who has nothing to be judged on is named, and so is who was judged on less.
 panels = [p for p in record["panels"] if p["figure"] == "main"]
