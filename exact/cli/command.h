@@ -68,7 +68,6 @@ Action declare_cases(Arguments& arguments);
 Action declare_certify(Arguments& arguments);
 Action declare_check(Arguments& arguments);
 Action declare_verify(Arguments& arguments);
-Action declare_chart(Arguments& arguments);
 Action declare_sweep(Arguments& arguments);
 Action declare_report(Arguments& arguments);
 

@@ -10,6 +10,7 @@ Action declare_fuzz(Arguments& arguments);
 Action declare_render(Arguments& arguments);
 Action declare_leak(Arguments& arguments);
 Action declare_judge(Arguments& arguments);
+Action declare_chart(Arguments& arguments);
 Action declare_demo(Arguments& arguments);
 
 }  // namespace tribunal
