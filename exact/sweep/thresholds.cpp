@@ -52,7 +52,7 @@ std::vector<Threshold> thresholds_of(const SweepPlan& plan, const Sweep& sweep) 
     for (std::size_t axis = 0; axis < plan.axes.size(); ++axis) {
       for (const Format format : formats) {
         for (const Side side : sides) {
-          for (const Outcome outcome : swept_outcomes) {
+          for (const SweptOutcome outcome : swept_outcomes) {
             for (const ProbeKind probe : probe_kinds) {
               Threshold t{method, axis, format, side, probe, outcome};
               if (find_marks(marks_of(plan, sweep, t), t)) rows.push_back(t);

@@ -28,7 +28,7 @@ struct Threshold {
   Format format = Format::binary64;
   Side side = Side::up;
   ProbeKind probe = ProbeKind::segment;
-  Outcome outcome = Outcome::false_hit;
+  SweptOutcome outcome = SweptOutcome::false_hit;
 
   Mark first{};                  ///< the first value with a failure, seen from the easiest
   std::optional<Mark> before{};  ///< the value before it, without one; none if the easiest value has failures
