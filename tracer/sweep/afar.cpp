@@ -26,9 +26,9 @@ using namespace leak;
 constexpr Format formats[] = {Format::binary32, Format::binary64};
 constexpr std::size_t block_size = 128;
 
-/// Up to where 16 units in the last place of the source are a quarter of the mesh.
-constexpr int distances_64[] = {0, 1, 2, 3, 4, 6, 8, 11, 14, 17, 20, 24, 28, 32, 36, 40, 43, 45, 47};
-constexpr int distances_32[] = {0, 1, 2, 3, 4, 6, 8, 10, 12, 14, 16, 18};
+/// Up to where 16 units in the last place of the source are a tenth of the mesh.
+constexpr int distances_64[] = {0, 1, 2, 3, 4, 6, 8, 11, 14, 17, 20, 24, 28, 32, 36, 40, 43, 45};
+constexpr int distances_32[] = {0, 1, 2, 3, 4, 6, 8, 10, 12, 14, 16};
 
 std::span<const int> distances(Format format) {
   if (format == Format::binary32) return distances_32;
@@ -69,18 +69,30 @@ constexpr Shown counted[] = {{leak::Outcome::false_hit, SweptOutcome::false_hit}
                              {leak::Outcome::double_hit, SweptOutcome::double_hit},
                              {leak::Outcome::parity, SweptOutcome::parity}};
 
-/// How hard the ray and a face are.
-Severity severity_at(const Query& query) { return severity_of(query, truth_in_class(certified_class(query), query)); }
+/// How hard the hardest of the faces is that the ray may be taken to meet: which of them made the answer wrong is not
+/// known. Where it passes an edge within rounding, it is not in general position, however well-conditioned the volumes
+/// of rounded differences are.
+Severity severity_of_ray(const Surface& surface, const AskedRay& asked, const RayTruth& truth) {
+  const bool is_near = std::ranges::any_of(truth.passages, [](const Passage& p) { return p.faces.size() > 1; });
+  Severity hardest = is_near ? Severity::boundary : Severity::plain;
+  for (const std::uint32_t face : asked.candidates) {
+    const Query query{asked.ray, surface.triangle(face)};
+    hardest = std::max(hardest, severity_of(query, truth_in_class(certified_class(query), query)));
+    if (hardest == Severity::extreme) break;
+  }
+  return hardest;
+}
 
-/// Adds what one method said of ray k.
-void add(Sweep& part, const SweepPlace& place, std::uint64_t k, const Ray& ray, const Surface& surface,
+/// Adds what one method said of a ray.
+void add(Sweep& part, const SweepPlace& place, const AskedRay& asked, const RayTruth& truth, const Surface& surface,
          const Verdict& v) {
   MeshAnswer answer{.parity_judged = v.parity_judged};
+  std::optional<Severity> severity;
   for (const Shown& s : counted) {
     if (!v.outcomes.has(s.as_leak)) continue;
-    const Query query{ray, surface.triangle(*v.shown_by(s.as_leak))};
-    answer[s.as_swept] = severity_at(query);
-    part.note(place, s.as_swept, {k, query, Status::ok});
+    if (!severity) severity = severity_of_ray(surface, asked, truth);
+    answer[s.as_swept] = severity;
+    part.note(place, s.as_swept, {asked.k, {asked.ray, surface.triangle(*v.shown_by(s.as_leak))}, Status::ok});
   }
   part.counts[place].add(answer);
 }
@@ -119,7 +131,7 @@ void ask_block(const Asked& asked, int distance, const FaceBoxes& boxes, std::si
       Testimony said;
       asked.subjects[i].ask({&ray, 1}, {&said, 1});
       const SweepPlace place{asked.methods[i], asked.axis, asked.surface.format(), distance, ProbeKind::ray};
-      add(part, place, k, aimed->ray, asked.surface, judge(asked.surface, asked.subjects[i], *aimed, truth, said));
+      add(part, place, ray, truth, asked.surface, judge(asked.surface, asked.subjects[i], *aimed, truth, said));
     }
   }
 }
