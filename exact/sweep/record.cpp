@@ -25,7 +25,7 @@ std::string id_of(const SweepPlan& plan, const Threshold& t) {
                    std::string(name_of(t.format)) + "-" + std::to_string(t.first.value) + "-" +
                    std::string(name_of(t.probe)) + "-" + std::string(name_of(t.outcome));
   std::ranges::replace(id, ' ', '-');
-  return id + (t.side == Side::down ? "-down" : "");
+  return id + (t.side == AxisSide::down ? "-down" : "");
 }
 
 std::string source_of(const SweepPlan& plan, const Threshold& t, const Witness& w) {
@@ -201,9 +201,9 @@ std::string cell_of(const Threshold* t) {
 /// One line for segments and rays; either may have none.
 std::string line_of(const SweepPlan& plan, const Threshold& row, const Threshold* segments, const Threshold* rays) {
   const StressAxis& axis = *plan.axes[row.axis];
-  const bool two_sided =
-      !values_outward(axis, row.format, Side::up).empty() && !values_outward(axis, row.format, Side::down).empty();
-  const std::string name = std::string(axis.name) + (two_sided ? row.side == Side::up ? " +" : " -" : "");
+  const bool two_sided = !values_outward(axis, row.format, AxisSide::up).empty() &&
+                         !values_outward(axis, row.format, AxisSide::down).empty();
+  const std::string name = std::string(axis.name) + (two_sided ? row.side == AxisSide::up ? " +" : " -" : "");
   char line[256];
   std::snprintf(line, sizeof line, "  %-15s %-8s %-13s  %-48s  %s\n", name.c_str(),
                 std::string(name_of(row.format)).c_str(), std::string(name_of(row.outcome)).c_str(),

@@ -269,7 +269,7 @@ TEST(Thresholds, NaiveDoubleLosesTheFirstHitToUnderflowBelowMinus358) {
   const SweepPlan plan = plan_of({method("sf-double")}, "scale", 656);
   const Sweep result = sweep(plan);
   for (const Threshold& t : thresholds_of(plan, result)) {
-    if (t.format == Format::binary32 || t.side == Side::up) continue;
+    if (t.format == Format::binary32 || t.side == AxisSide::up) continue;
     ASSERT_TRUE(t.before);
     EXPECT_LE(t.first.value, -358) << "docs: none wrong at 2^-358 on small integers";
     EXPECT_GE(t.first.value, -400);
@@ -278,12 +278,12 @@ TEST(Thresholds, NaiveDoubleLosesTheFirstHitToUnderflowBelowMinus358) {
 
 TEST(Thresholds, ValuesRunOutwardFromTheEasiest) {
   const StressAxis& scale = *find_stress_axis("scale");
-  EXPECT_EQ(values_outward(scale, Format::binary64, Side::up).front(), 0);
-  EXPECT_EQ(values_outward(scale, Format::binary64, Side::down).front(), 0);
-  EXPECT_EQ(values_outward(scale, Format::binary64, Side::down).back(), -1074);
-  EXPECT_TRUE(values_outward(*find_stress_axis("fill"), Format::binary64, Side::down).empty());
-  EXPECT_TRUE(values_outward(*find_stress_axis("ulps"), Format::binary64, Side::up).empty());
-  EXPECT_EQ(values_outward(*find_stress_axis("ulps"), Format::binary64, Side::down).back(), 0);
+  EXPECT_EQ(values_outward(scale, Format::binary64, AxisSide::up).front(), 0);
+  EXPECT_EQ(values_outward(scale, Format::binary64, AxisSide::down).front(), 0);
+  EXPECT_EQ(values_outward(scale, Format::binary64, AxisSide::down).back(), -1074);
+  EXPECT_TRUE(values_outward(*find_stress_axis("fill"), Format::binary64, AxisSide::down).empty());
+  EXPECT_TRUE(values_outward(*find_stress_axis("ulps"), Format::binary64, AxisSide::up).empty());
+  EXPECT_EQ(values_outward(*find_stress_axis("ulps"), Format::binary64, AxisSide::down).back(), 0);
 }
 
 TEST(Sweeps, TheRecordDoesNotDependOnThreads) {
