@@ -119,7 +119,7 @@ printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >open.off
 expect 3 sweep --axis afar --mesh open.off --out no
 says err 'open.off'
 expect 2 sweep --axis scale --mesh afar/afar.off --out no
-says err -- '--mesh'
+says err '--mesh'
 [ ! -e no ]
 
 # The compiler as an axis: strict builds change nothing, contracted ones do, and the figure comes from the record.

@@ -77,7 +77,9 @@ Severity severity_of_ray(const Surface& surface, const AskedRay& asked, const Ra
   Severity hardest = is_near ? Severity::boundary : Severity::plain;
   for (const std::uint32_t face : asked.candidates) {
     const Query query{asked.ray, surface.triangle(face)};
-    hardest = std::max(hardest, severity_of(query, truth_in_class(certified_class(query), query)));
+    // Whether a case is extreme, its coordinates say alone; no more is asked where the answer is boundary at least.
+    const Truth exact = is_near ? Truth{} : truth_in_class(certified_class(query), query);
+    hardest = std::max(hardest, severity_of(query, exact));
     if (hardest == Severity::extreme) break;
   }
   return hardest;
