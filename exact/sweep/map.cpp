@@ -189,24 +189,14 @@ FailureMap failure_map(const MapPlan& plan) {
 }
 
 std::string to_json_text(const MapPlan& plan, const FailureMap& map) {
-  std::string text = "{
- \"map\": " + Json(plan.map.contact->name).dump() +
-                     ",
- \"probe\": " + Json(name_of(plan.map.probe)).dump() +
-                     ",
- \"about\": " + Json(plan.map.contact->about).dump() +
-                     ",
- \"size\": " + std::to_string(plan.map.size) +
-                     ",
- \"moved\": \"x and y of the source, by units in the last place\"";
-  text += ",
- \"base\": " + by_format(map, [&](Format f) { return base_text(plan.map, f); });
-  text += ",
- \"unit\": " + by_format(map, [](Format f) { return Json(hex_float(unit_of(f))).dump(); });
-  text += ",
- \"truth\": " + by_format(map, [&](Format f) { return rows_text(map.truth.at(f)); });
-  text += ",
- \"panels\": [";
+  std::string text =
+      "{\n \"map\": " + Json(plan.map.contact->name).dump() + ",\n \"probe\": " + Json(name_of(plan.map.probe)).dump() +
+      ",\n \"about\": " + Json(plan.map.contact->about).dump() + ",\n \"size\": " + std::to_string(plan.map.size) +
+      ",\n \"moved\": \"x and y of the source, by units in the last place\"";
+  text += ",\n \"base\": " + by_format(map, [&](Format f) { return base_text(plan.map, f); });
+  text += ",\n \"unit\": " + by_format(map, [](Format f) { return Json(hex_float(unit_of(f))).dump(); });
+  text += ",\n \"truth\": " + by_format(map, [&](Format f) { return rows_text(map.truth.at(f)); });
+  text += ",\n \"panels\": [";
   bool first = true;
   for (const MapPanel& panel : map.panels) {
     text += (first ? "\n" : ",\n") + panel_text(plan.methods[panel.method], panel);
