@@ -117,8 +117,10 @@ TEST(Page, TellsTheCostOfTheFlagship) {
   Json chart = {{"rows", Json::array()}};
   for (const char* population : {"general", "degenerate"}) {
     const auto add = [&](const std::string& method, double median) {
-      chart["rows"].push_back(
-          {{"method", method}, {"population", population}, {"own_format", true}, {"nanoseconds", {{"median", median}}}});
+      chart["rows"].push_back({{"method", method},
+                               {"population", population},
+                               {"own_format", true},
+                               {"nanoseconds", {{"median", median}}}});
     };
     for (const Method& m : all_methods()) add(m.name, 230);
     for (Json& row : chart["rows"]) {
