@@ -12,7 +12,6 @@ Everything is read from the record; a mark's shape and fill come from what the r
 wide as a paper's column. A method that was never wrong stands in a band of its own below the axis, which has no zero.
 """
 import json
-import math
 import os
 import sys
 
@@ -91,7 +90,8 @@ def bars_note(repetitions):
     time = (f"of time for the median over {repetitions} repetitions, by ranks" if repetitions >= 6
             else "of time none, for want of repetitions")
     return (f"Bars are 95 % intervals both ways: of shares by Clopper and Pearson, {time}. Dashed: the frontier, than "
-            "which nothing is both quicker and less often wrong. In the grey band nothing was wrong; heights in it mean nothing.")
+            "which nothing is both quicker and less often wrong. In the grey band nothing was wrong; heights in it mean "
+            "nothing.")
 
 
 def bound_note(n):

@@ -119,16 +119,16 @@ class Grid:
     """A title, rows of panels, two in a row, and a key."""
 
     def __init__(self, title, rows, key):
-        heights = 0.24 + rows * (PANEL + 0.19) + 0.32
+        heights = 0.34 + rows * (PANEL + 0.19) + 0.32
         self.sheet, self.key, self.below = Sheet(heights + key.height()), key, heights
         self.sheet.text(0.05, 0.05, title, 7.6, fontweight="bold")
         width = (WIDTH - LEFT - RIGHT - GAP) / 2
-        self.axes = [[self.sheet.axes(LEFT + c * (width + GAP), 0.33 + r * (PANEL + 0.19), width, PANEL) for c in range(2)]
+        self.axes = [[self.sheet.axes(LEFT + c * (width + GAP), 0.43 + r * (PANEL + 0.19), width, PANEL) for c in range(2)]
                      for r in range(rows)]
         for row in self.axes:
             row[1].tick_params(labelleft=False)
         for ax, fmt in zip(self.axes[0], FORMATS):
-            ax.text(1, 1.035, fmt, transform=ax.transAxes, ha="right", va="bottom", color=FAINT)
+            ax.text(1, 1.035 + 0.1 / PANEL, fmt, transform=ax.transAxes, ha="right", va="bottom", color=FAINT)
 
     def label_row(self, r, title):
         self.axes[r][0].text(0, 1.035, title, transform=self.axes[r][0].transAxes, fontsize=SMALL + 0.7, va="bottom",

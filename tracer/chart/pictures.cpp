@@ -16,7 +16,7 @@ namespace tribunal {
 namespace {
 
 /// A method whose first drawing of all scenes takes longer is not timed again.
-constexpr double seconds_worth_repeating = 4;
+constexpr double seconds_worth_repeating = 2;
 
 bool takes_rays(const Method& m) { return m.ray && m.contract.probes.rays && m.contract.triangles != Triangles::none; }
 

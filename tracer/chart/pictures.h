@@ -14,7 +14,7 @@ namespace tribunal {
 struct PicturePlan {
   std::vector<Method> methods;  ///< those that take no rays of triangles are left out
   std::vector<Scene> scenes;    ///< drawn at their own size and depth, with all faces triangulated
-  int repetitions = 9;          ///< of methods that are quick enough; slow ones draw each scene once
+  int repetitions = 6;          ///< of methods that are quick enough; slow ones draw each scene once
   unsigned threads = 1;         ///< for the pictures that are compared; time is taken on one thread
 };
 

@@ -30,7 +30,7 @@ constexpr const char* nothing = "none";
 struct Options {
   std::string methods, out = "charts", redraw, scenes, mesh;
   ChartPlan plan;
-  std::uint64_t rays = 100'000;
+  std::uint64_t rays = 50'000;
   bool quick = false;
 };
 
@@ -113,7 +113,7 @@ std::vector<Scene> scenes_of(const Options& o) {
 void add_pictures(const Options& o, const ChartPlan& plan, std::vector<Scene> scenes, Json& record) {
   if (scenes.empty()) return print("no scenes: rays a second against wrong pixels is not drawn\n");
   const PicturePlan pictures{
-      .methods = plan.methods, .scenes = std::move(scenes), .repetitions = o.quick ? 1 : 9, .threads = plan.threads};
+      .methods = plan.methods, .scenes = std::move(scenes), .repetitions = o.quick ? 1 : 6, .threads = plan.threads};
   const std::vector<PictureRow> rows = measure_pictures(pictures);
   record["pictures"] = to_json(pictures, rows);
   print(to_table(pictures, rows));
