@@ -101,7 +101,8 @@ def draw_line(ax, record, rows, method, share_of):
 
 
 def per_million(y, _=None):
-    return f"{1e6 * y:,.0f}"
+    """Ticks are powers of ten."""
+    return f"$10^{{{round(math.log10(1e6 * y))}}}$"
 
 
 # What can be wrong of a ray at a mesh; faults are drawn by no figure.

@@ -7,8 +7,7 @@
 namespace tribunal {
 
 inline constexpr std::string_view afar_name = "afar";
-inline constexpr std::string_view afar_quantity =
-    "distance of a ray's source over the size of the closed mesh that it is aimed at (log2)";
+inline constexpr std::string_view afar_quantity = "distance of a ray's source over the size of a closed mesh (log2)";
 
 /// The axis for this mesh, of triangles; `name` is for people. Values begin at the mesh and end where the whole mesh is
 /// seen within rounding, so that nothing is a leak any more. Fails with Exit::bad_input if the mesh is not closed, or
