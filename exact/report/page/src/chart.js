@@ -155,8 +155,8 @@ export function chartPage(path, query) {
     tabs('population', panels.map(({ name }) => name), panel?.name, (name) => to('chart', run.index, { panel: name })),
     panel && h('p', {}, `${panel.about}.`),
     points.length > 0 && [told, scatter(points, `time against wrong answers: ${panel.name}`, panel.xTitle, (p) => told.replaceChildren(p.words)),
-      table(['', 'method', panel.unit, 'wrong', 'judged', 'share', 'at most', 'frontier'], points.map((p) => [
-        markIcon(p.look), code(p.method), { cell: significant(p.time), class: 'n' }, { cell: grouped(p.k), class: 'n' }, { cell: grouped(p.n), class: 'n' },
+      table(['method', panel.unit, 'wrong', 'judged', 'share', 'at most', 'frontier'], points.map((p) => [
+        [markIcon(p.look), ' ', code(p.method)], { cell: significant(p.time), class: 'n' }, { cell: grouped(p.k), class: 'n' }, { cell: grouped(p.n), class: 'n' },
         { cell: percent(p.share), class: 'n' }, { cell: percent(p.upper), class: 'n' }, front.has(p.method) ? '●' : '']), { label: 'speed and accuracy' })],
     onset(record, order), leaksOf(record),
   ];

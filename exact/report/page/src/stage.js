@@ -31,12 +31,13 @@ function placesOf(question) {
   return named;
 }
 
-/** log2 of the sizes that a zoom can go to: the whole, one ulp, the smallest gap that is not zero. */
+/** log2 of the sizes that a zoom can go to: the whole, the target, one ulp, the smallest gap that is not zero. */
 function sizesOf(question, focus) {
   const { p, q, rings, unit } = { ...question.exact, p: placeOf(question.exact.p) };
   const ends = [...rings.flat().map(placeOf), p, ...(question.isRay ? [] : [placeOf(q)])];
   const far = Math.max(...ends.map((place) => logDistance(question, place, focus)));
   const whole = Number.isFinite(far) ? far : logOf(1n, 1n, unit);
+  const near = Math.max(...rings.flat().map((point) => logDistance(question, placeOf(point), focus)));
   const numbers = [question.p, ...(question.isRay ? [] : [question.q]), ...question.rings.flat()].flat();
   const largest = Math.max(...numbers.map(Math.abs));
   const oneUlp = Math.log2(ulp(largest, question.format));
@@ -46,8 +47,11 @@ function sizesOf(question, focus) {
     logDistance(question, focus, nearestOnProbe(question, focus)),
   ].filter(Number.isFinite);
   const gap = gaps.length ? Math.min(...gaps) : oneUlp;
-  return { whole: whole + 0.15, ulp: oneUlp - 1, gap: gap + 0.6, least: Math.min(oneUlp - 4, gap - 2), unitUlp: oneUlp };
+  return { whole: whole + 0.15, target: (Number.isFinite(near) ? near : whole) + 0.25, ulp: oneUlp - 1, gap: gap + 0.6, least: Math.min(oneUlp - 4, gap - 2), unitUlp: oneUlp };
 }
+
+/** The whole, unless the target would be a dot in it. */
+const firstSize = (sizes) => (sizes.whole - sizes.target > 3 ? sizes.target : sizes.whole);
 
 const power = (size) => (Math.abs(size) < 10 ? significant(2 ** size) : `2${superscript(Math.round(size))}`);
 
@@ -64,7 +68,7 @@ export function stage(question, state) {
   if (!question.finite) return h('p', { class: 'note' }, 'Some coordinate is not a finite number: there is nothing to draw.');
   const canvas = h('canvas', {
     class: 'stage', tabindex: 0, role: 'img',
-    'aria-label': 'The case in 3D. Arrow keys turn it, plus and minus zoom, 0 shows the whole, u one ulp, g the smallest gap.',
+    'aria-label': 'The case in 3D. Arrow keys turn it, plus and minus zoom, 0 shows the whole, t the target, u one ulp, g the smallest gap.',
   });
   const labels = h('div', { class: 'labels', 'aria-hidden': 'true' });
   let view;
@@ -84,7 +88,7 @@ function controls(question, state, { canvas, labels, view }) {
   const places = placesOf(question);
   let at = Math.min(Math.max(0, Number(state.at) || 0), places.length - 1);
   let sizes = sizesOf(question, places[at][1]);
-  let size = sizes[state.zoom] ?? (state.zoom !== undefined && Number.isFinite(Number(state.zoom)) ? Number(state.zoom) : sizes.whole);
+  let size = sizes[state.zoom] ?? (state.zoom !== undefined && Number.isFinite(Number(state.zoom)) ? Number(state.zoom) : firstSize(sizes));
 
   const slider = h('input', { type: 'range', id: 'zoom', step: 'any', oninput: () => zoomTo(-Number(slider.value)) });
   const scale = h('output', { for: 'zoom', class: 'scale' });
@@ -115,7 +119,7 @@ function controls(question, state, { canvas, labels, view }) {
     ArrowLeft: () => view.turn(-0.12, 0), ArrowRight: () => view.turn(0.12, 0),
     ArrowUp: () => view.turn(0, 0.1), ArrowDown: () => view.turn(0, -0.1),
     '+': () => zoomTo(size - 1), '=': () => zoomTo(size - 1), '-': () => zoomTo(size + 1),
-    0: () => zoomTo(sizes.whole), u: () => zoomTo(sizes.ulp), g: () => zoomTo(sizes.gap),
+    0: () => zoomTo(sizes.whole), t: () => zoomTo(sizes.target), u: () => zoomTo(sizes.ulp), g: () => zoomTo(sizes.gap),
   };
   canvas.addEventListener('keydown', (event) => {
     const action = event.ctrlKey || event.metaKey || event.altKey ? null : keys[event.key];
@@ -144,6 +148,7 @@ function controls(question, state, { canvas, labels, view }) {
       h('label', { for: 'focus' }, 'look at '), chooser,
       h('span', { class: 'group' },
         button('whole', 'the whole case (key 0)', 'whole'),
+        button(question.isPolygon ? 'polygon' : 'triangle', 'the target alone (key t)', 'target'),
         button('one ulp', 'one unit in the last place of the largest coordinate from edge to edge (key u)', 'ulp'),
         button('the gap', 'the smallest distance from the place looked at that is not zero (key g)', 'gap'))),
     h('div', { class: 'controls' }, h('label', { for: 'zoom' }, 'zoom '), slider),
