@@ -45,7 +45,7 @@ function whole(record) {
   if (sets.length === 0) return h('p', {}, 'No set was run whole.');
   return [h('p', { class: 'note' }, 'Every question of these sets was asked, so these figures are no estimate.'),
     table(['set', 'probes', 'size', 'wrong', 'not owed', 'classes', 'judged by'], sets.map((set) => [
-      set.set, set.probes, count(set.size), wrongCount(set.count?.wrong), count(set.count?.unsupported), count(set.classes), [set.judged_by, !set.complete && h('b', { class: 'wrong' }, ' incomplete')]]), { label: 'sets run whole', class: 'wordy' })];
+      set.set, set.probes, count(set.size), wrongCount(set.count?.wrong), count(set.count?.unsupported), count(set.classes), [set.judged_by, !set.complete && h('b', { class: 'wrong' }, ' incomplete')]]), { label: 'sets run whole' })];
 }
 
 function sampled(run, record) {
@@ -64,7 +64,7 @@ function sampled(run, record) {
     h('p', { class: 'note' }, 'Samples of what these generators make; nothing follows for other input. ', link(to('matrix', run.index, { method: record.method, fmt: judged[0]?.fmt }), 'Classes × families'), '.'),
     table(['family', 'format', 'what it is', 'judged', 'wrong', 'share'], judged.map((sum) => [
       link(to('cell', run.index, { method: record.method, family: sum.family, fmt: sum.fmt }), sum.family), sum.fmt.replace('binary', ''), streams.get(`${sum.family}\n${sum.fmt}`)?.population ?? '',
-      count(sum.n), wrongCount(sum.k), { cell: percent(sum.k / sum.n), class: 'n' }]), { label: 'samples', class: 'wordy' }),
+      count(sum.n), wrongCount(sum.k), { cell: percent(sum.k / sum.n), class: 'n' }]), { label: 'samples' }),
   ];
 }
 
@@ -74,7 +74,7 @@ function relations(record) {
   asked.sort((a, b) => (b.broken > 0) - (a.broken > 0));
   return [h('p', { class: 'note' }, 'What must hold between answers whatever the truth is; one broken relation refutes.'),
     table(['relation', 'says', 'format', 'probe', 'asked', 'broken', 'at most'], asked.map((row) => [
-      row.relation, row.statement, row.fmt.replace('binary', ''), row.probe, count(row.n), wrongCount(row.broken), { cell: percent(row.upper_95 ?? 1), class: 'n' }]), { label: 'relations', class: 'wordy' })];
+      row.relation, row.statement, row.fmt.replace('binary', ''), row.probe, count(row.n), wrongCount(row.broken), { cell: percent(row.upper_95 ?? 1), class: 'n' }]), { label: 'relations' })];
 }
 
 function own(record) {

@@ -52,13 +52,15 @@ export function benchPage(path) {
 export function relationsPage(path) {
   const [runs, run] = pick('relations', path);
   if (!run) return h('p', {}, 'No relations are in this report.');
-  const list = Array.isArray(run.record?.relations ?? run.relations) ? run.record?.relations ?? run.relations : (run.relations ?? run.record)?.relations ?? [];
-  const sorted = [...list].sort((a, b) => (b.broken > 0) - (a.broken > 0));
+  const asked = (run.relations?.relations ?? run.relations ?? []).filter((row) => row.asked > 0);
+  const sorted = asked.sort((a, b) => (b.broken > 0) - (a.broken > 0));
+  const broken = new Set(asked.filter((row) => row.broken > 0).map((row) => `${row.method} ${row.relation}`)).size;
   return [
     h('h1', {}, 'Relations between answers'), chooseRun(runs, run.index, 'relations'),
-    table(['method', 'relation', 'says', 'format', 'probe', 'asked', 'broken'], sorted.map((row) => [
-      code(row.method ?? ''), row.relation, row.statement ?? '', (row.fmt ?? '').replace('binary', ''), row.probe ?? row.probes ?? '', { cell: grouped(row.asked ?? 0), class: 'n' },
-      { cell: row.broken > 0 ? h('b', { class: 'wrong' }, grouped(row.broken)) : '0', class: 'n' }]), { label: 'relations', class: 'wordy' }),
+    h('p', { class: 'lead' }, `What must hold between answers whatever the truth is. ${broken ? `${grouped(broken)} pairs of method and relation are broken` : 'None was broken'}.`),
+    table(['method', 'relation', 'format', 'probe', 'asked', 'broken'], sorted.map((row) => [
+      code(row.method ?? ''), h('span', { title: row.statement }, row.relation), (row.fmt ?? '').replace('binary', ''), row.probe ?? row.probes ?? '', { cell: grouped(row.asked ?? 0), class: 'n' },
+      { cell: row.broken > 0 ? h('b', { class: 'wrong' }, grouped(row.broken)) : '0', class: 'n' }]), { label: 'relations' }),
     run.cases.length > 0 && [h('h2', {}, 'Witnesses'), caseList(run.cases)],
   ];
 }
@@ -73,7 +75,7 @@ export function compilersPage(path) {
     table(['method', 'build', 'format', 'changed', 'spoiled', 'mended', 'wrong', 'first case'], list.map((row) => [
       code(row.method), row.build, row.fmt.replace('binary', ''), ...[row.changed, row.spoiled, row.mended].map((n) => ({ cell: grouped(n), class: 'n' })),
       { cell: percent(row.answers?.share ?? 0), class: 'n' }, row.case !== null && row.case !== undefined ? link(to('case', row.case), 'case') : '–']), { label: 'changed answers' }),
-    h('h2', {}, 'Builds'), table(['build', 'compiler', 'flags'], run.record.builds.map((build) => [build.name, build.compiler, code(build.flags)]), { label: 'builds', class: 'wordy' }),
+    h('h2', {}, 'Builds'), table(['build', 'compiler', 'flags'], run.record.builds.map((build) => [build.name, build.compiler, code(build.flags)]), { label: 'builds' }),
   ];
 }
 
