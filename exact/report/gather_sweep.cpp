@@ -97,6 +97,7 @@ void gather_compilers(Run& run, Gathering& g) {
 void gather_map(Run& run, Gathering& g) {
   Json r = run.record;
   const std::string map = r.at("map");
+  run.page["title"] = "map " + map;
   run.page["methods"] = Json::array();
   for (const Json& panel : r.at("panels")) {
     run.page["methods"].push_back(g.add_method({{"name", panel.at("method")}, {"fmt", panel.value("fmt", "")}}));
