@@ -87,6 +87,7 @@ void gather_certificate(Run& run, Gathering& g) {
   r["exact"] = r.value("terms", Json::object()).value("exact", false);
   const std::string method = g.add_method(r);
   run.page["methods"] = {method};
+  run.page["title"] = method;
   const bool judged = r.value("budget", "") == "the cases of a file";
   run.page["judged"] = judged;
   if (judged) {

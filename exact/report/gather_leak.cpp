@@ -46,6 +46,7 @@ void gather_leak(Run& run, Gathering& g) {
       g.add(leak_line(run.number, subject, trial.at("fmt"), mesh));
     }
   }
+  run.page["title"] = mesh;
   run.page["methods"] = names;
   run.page["command"] = command_of({"leak", mesh, "--method", joined(names), "--seed",
                                     std::to_string(number_in(r, "seed")), "--out", run.directory});

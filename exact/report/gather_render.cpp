@@ -1,5 +1,6 @@
 // What `render --against` wrote: NAME.diff.json, its pictures and NAME.cases.jsonl.
 #include <algorithm>
+#include <filesystem>
 #include <map>
 
 #include "exact/report/gathering.h"
@@ -94,6 +95,8 @@ void gather_render(Run& run, Gathering& g) {
     g.add_method({{"name", name}});
     run.page["methods"].push_back(name);
   }
+  const std::string scene = std::filesystem::path(r.value("scene", "")).filename().string();
+  run.page["title"] = scene + ": " + method + " against " + against;
   run.page["seed"] = Json();
   run.page["command"] = command_for(run, method, against);
   const Blame b = blame_of(r.at("pixels"), method, against);

@@ -47,7 +47,7 @@ Line map_line(std::size_t run, const Json& panel, const std::string& map) {
           .method = method,
           .level = wrong > 0 ? Level::boundary : Level::nothing,
           .fmt = panel.value("fmt", ""),
-          .text = method + ": wrong on " + share_in_words(wrong, judged) + " pixels of the map `" + map + "`",
+          .text = method + ": wrong on " + share_in_words(wrong, judged) + " pixels of the map " + map,
           .detail = "each pixel is a case, some units in the last place from a contact",
           .wrong = wrong,
           .judged = judged};
@@ -97,6 +97,7 @@ void gather_compilers(Run& run, Gathering& g) {
 void gather_map(Run& run, Gathering& g) {
   Json r = run.record;
   const std::string map = r.at("map");
+  run.page["title"] = "map " + map;
   run.page["methods"] = Json::array();
   for (const Json& panel : r.at("panels")) {
     run.page["methods"].push_back(g.add_method({{"name", panel.at("method")}, {"fmt", panel.value("fmt", "")}}));

@@ -112,19 +112,12 @@ void read_cases(Result& result, CaseBook& book) {
   if (fs::is_regular_file(file)) book.read(result.run.number, file);
 }
 
-/// The directory, or the name of a file of which a directory may hold several, without its ending.
-std::string title_of(const Result& result) {
-  const bool one_of_many = result.kind->prefix.empty() || result.kind->prefix.ends_with('-');
-  if (!one_of_many) return result.run.directory;
-  return result.run.path(result.run.file.substr(0, result.run.file.size() - result.kind->suffix.size()));
-}
-
 Json start_of_page(const Result& result) {
   const Run& run = result.run;
   const Json& r = run.record;
   return {{"kind", result.kind->name},
           {"id", "run-" + std::to_string(run.number)},
-          {"title", title_of(result)},
+          {"title", run.directory},
           {"directory", run.directory},
           {"files", {run.file}},
           {"command", Json()},

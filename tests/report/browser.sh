@@ -5,12 +5,12 @@ cd "$scratch"
 mkdir -p runs/render
 any() { "$TRIBUNAL" "$@" >log 2>&1 || [ $? -eq 1 ] || { cat log >&2; exit 1; }; }
 
-any fuzz --method sf-double,mt-double,mt-float,sf-filtered --count 20000 --out runs/fuzz
+any fuzz --method sf-double,mt-double,mt-float,sf-filtered --count 10000 --out runs/fuzz
 any fuzz --family polygon-affine,polygon-ulp --method haines-double,feito-double --count 3000 --out runs/polygons
 any cases --count 3000 --out cases.jsonl
 any classify --method sf-double --in cases.jsonl --out answers.jsonl
 any judge --cases cases.jsonl --answers answers.jsonl --out runs/certificate
-any sweep --method sf-double,mt-double,sf-filtered --axis scale,sliver --count 200 --out runs/sweep
+any sweep --method sf-double,mt-double,sf-filtered --axis scale,sliver --count 120 --out runs/sweep
 any sweep --map edge --map-size 48 --method sf-double,mt-double,sf-filtered,sf-float --out runs/map
 any chart --method sf-double,mt-double,sf-filtered --count 1000 --repetitions 9 --out runs/chart
 any leak "$SOURCE_DIR/data/meshes/pig.off" --method mt-float,sf-filtered --rays 3000 --out runs/leak

@@ -27,7 +27,7 @@ export function toDouble(token) {
     const size = ratio(digits, 1n, exponent);
     return match[1] === '-' ? -size : size;
   }
-  const word = { nan: NaN, '-nan': NaN, inf: Infinity, '+inf': Infinity, '-inf': -Infinity, infinity: Infinity }[text];
+  const word = {nan: NaN, '-nan': NaN, inf: Infinity, '+inf': Infinity, '-inf': -Infinity, infinity: Infinity}[text];
   return word ?? Number(text);
 }
 
@@ -47,11 +47,12 @@ export function inOneUnit(numbers) {
   const parts = numbers.map(partsOfDouble);
   const used = parts.filter(([m]) => m !== 0n);
   const unit = used.length ? Math.min(...used.map(([, e]) => e)) : 0;
-  return { unit, values: parts.map(([m, e]) => (m === 0n ? 0n : m << BigInt(e - unit))) };
+  return {unit, values: parts.map(([m, e]) => (m === 0n ? 0n : m << BigInt(e - unit)))};
 }
 
 const absolute = (n) => (n < 0n ? -n : n);
-export const bitLength = (n) => (n === 0n ? 0 : absolute(n).toString(16).length * 4 - Math.clz32(parseInt(absolute(n).toString(16)[0], 16)) + 28);
+export const bitLength = (n) =>
+    (n === 0n ? 0 : absolute(n).toString(16).length * 4 - Math.clz32(parseInt(absolute(n).toString(16)[0], 16)) + 28);
 export const signOf = (n) => (n > 0n ? 1 : n < 0n ? -1 : 0);
 
 /** num / den · 2^exponent as a double, off by less than one unit in its last place; ±∞ and 0 beyond the range. */

@@ -7,7 +7,11 @@ export function percent(share) {
   if (share === 0) return '0 %';
   if (share === 1) return '100 %';
   const value = 100 * share;
-  return value >= 99.995 && value < 100 ? '>99.99 %' : `${value >= 10 ? value.toFixed(1) : value >= 0.0995 ? value.toFixed(2) : significant(value, 2)} %`;
+  return value >= 99.995 && value < 100 ? '>99.99 %' :
+                                          `${
+                                              value >= 10         ? value.toFixed(1) :
+                                                  value >= 0.0995 ? value.toFixed(2) :
+                                                                    significant(value, 2)} %`;
 }
 
 /** A share at a power of ten, for an axis. */
@@ -17,7 +21,8 @@ export const percentTick = (share) => `${significant(100 * share, 2)} %`;
 export function significant(x, digits = 3) {
   if (x === 0 || !Number.isFinite(x)) return String(x).replace('-', '−');
   const [mantissa, exponent] = x.toExponential(digits - 1).split('e').map(Number);
-  const text = exponent >= -3 && exponent < 6 ? String(Number(x.toPrecision(digits))) : `${mantissa}·10${superscript(exponent)}`;
+  const text =
+      exponent >= -3 && exponent < 6 ? String(Number(x.toPrecision(digits))) : `${mantissa}·10${superscript(exponent)}`;
   return text.replace('-', '−');
 }
 
@@ -25,8 +30,10 @@ export const superscript = (n) => String(n).replace(/[-\d]/g, (c) => (c === '-' 
 
 /** ln Γ(x) by Lanczos' series (g = 7), good to 1e-13. */
 function logGamma(x) {
-  const series = [0.99999999999980993, 676.5203681218851, -1259.1392167224028, 771.32342877765313, -176.61502916214059,
-    12.507343278686905, -0.13857109526572012, 9.9843695780195716e-6, 1.5056327351493116e-7];
+  const series = [
+    0.99999999999980993, 676.5203681218851, -1259.1392167224028, 771.32342877765313, -176.61502916214059,
+    12.507343278686905, -0.13857109526572012, 9.9843695780195716e-6, 1.5056327351493116e-7
+  ];
   const y = x - 1;
   const sum = series.reduce((total, term, i) => (i === 0 ? term : total + term / (y + i)), 0);
   const t = y + 7.5;
@@ -42,9 +49,9 @@ function betaRatio(x, a, b) {
   let f = 1, c = 1, d = 0;
   for (let i = 0; i <= 400; ++i) {
     const m = Math.floor(i / 2);
-    const numerator = i === 0 ? 1 : i % 2 === 0
-      ? (m * (b - m) * x) / ((a + 2 * m - 1) * (a + 2 * m))
-      : -((a + m) * (a + b + m) * x) / ((a + 2 * m) * (a + 2 * m + 1));
+    const numerator = i === 0 ? 1 :
+        i % 2 === 0           ? (m * (b - m) * x) / ((a + 2 * m - 1) * (a + 2 * m)) :
+                                -((a + m) * (a + b + m) * x) / ((a + 2 * m) * (a + 2 * m + 1));
     d = 1 / (1 + numerator * d || 1e-300);
     c = 1 + numerator / c || 1e-300;
     f *= c * d;
@@ -58,8 +65,10 @@ function betaQuantile(level, a, b) {
   let low = 0, high = 1;
   for (let i = 0; i < 100; ++i) {
     const middle = (low + high) / 2;
-    if (betaRatio(middle, a, b) < level) low = middle;
-    else high = middle;
+    if (betaRatio(middle, a, b) < level)
+      low = middle;
+    else
+      high = middle;
   }
   return (low + high) / 2;
 }
@@ -76,6 +85,8 @@ export function interval(k, n) {
 export function shareInWords(k, n) {
   if (n === 0) return 'none judged';
   const [lower, upper] = interval(k, n);
-  const bound = k === 0 ? `at most ${percent(upper)}` : k === n ? `at least ${percent(lower)}` : `between ${percent(lower)} and ${percent(upper)}`;
+  const bound = k === 0 ? `at most ${percent(upper)}` :
+      k === n ? `at least ${percent(lower)}` :
+                `between ${percent(lower)} and ${percent(upper)}`;
   return `${grouped(k)} of ${grouped(n)} (${percent(k / n)}; with 95 % confidence ${bound})`;
 }

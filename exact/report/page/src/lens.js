@@ -2,8 +2,8 @@
 // differences exactly, scales them by a power of two and rounds last, so that a window one ulp wide, or far smaller, is
 // drawn as sharply as the whole. What reaches out of the window is cut at its edge: a graphics card computes in
 // binary32 and could not hold ends that are 2^60 windows away.
-import { cross, dot, isZero, minus, plus, ratio, times } from './exact.js';
-import { nearestOnLine, normalOf, placeOf } from './question.js';
+import {cross, dot, isZero, minus, plus, ratio, times} from './exact.js';
+import {nearestOnLine, normalOf, placeOf} from './question.js';
 
 /** Half the width of the cube that is drawn, in windows. */
 export const reach = 24;
@@ -18,7 +18,7 @@ export class Lens {
   }
 
   /** A place relative to the focus, in windows. */
-  see({ point, weight }) {
+  see({point, weight}) {
     const gap = minus(times(point, this.focus.weight), times(this.focus.point, weight));
     const scale = weight * this.focus.weight;
     return gap.map((x) => ratio(x, scale, this.exponent) * this.rest);
@@ -43,7 +43,7 @@ export class Lens {
 
   /** The part of the target's plane in the window that the rings enclose, as convex or not polygons of points. */
   surfaces() {
-    const { rings } = this.question.exact;
+    const {rings} = this.question.exact;
     const normal = normalOf(this.question);
     if (isZero(normal)) return [];
     const planar = rings.flat().every((point) => dot(normal, minus(point, rings[0][0])) === 0n);
@@ -51,10 +51,10 @@ export class Lens {
     // Not planar: the covering, a triangle for each edge, is the surface.
     const [o] = rings[0];
     return rings.flatMap((ring) => ring.map((point, i) => [o, point, ring[(i + 1) % ring.length]]))
-      .map((triangle) => [triangle, cross(minus(triangle[1], o), minus(triangle[2], o))])
-      .filter(([, n]) => !isZero(n))
-      .map(([triangle, n]) => this.cutRings([triangle], n))
-      .filter((cut) => cut.length > 0);
+        .map((triangle) => [triangle, cross(minus(triangle[1], o), minus(triangle[2], o))])
+        .filter(([, n]) => !isZero(n))
+        .map(([triangle, n]) => this.cutRings([triangle], n))
+        .filter((cut) => cut.length > 0);
   }
 
   /** Planar rings cut to the cube, seen along the axis that the normal is longest on. */
@@ -72,21 +72,25 @@ export class Lens {
       return spot;
     };
     const flat = rings.map((ring) => ring.map((point) => this.flattened(point, kept)));
-    return flat.map((ring) => cutToSquare(ring)).filter((ring) => ring.length > 2)
-      .map((ring) => ring.map((uv) => lift(uv.map((x) => x * this.rest))));
+    return flat.map((ring) => cutToSquare(ring))
+        .filter((ring) => ring.length > 2)
+        .map((ring) => ring.map((uv) => lift(uv.map((x) => x * this.rest))));
   }
 
   /** The point of a plane nearest to the focus, in windows. */
   footOnPlane(point, normal) {
-    const { focus } = this;
+    const {focus} = this;
     const height = dot(normal, minus(times(point, focus.weight), focus.point));
     const length = dot(normal, normal);
     return normal.map((x) => ratio(x * height, length * focus.weight, this.exponent) * this.rest);
   }
 
-  /** Two coordinates relative to the focus as integers, in a unit of 2^-60 windows of whole size; exact but for one floor. */
+  /**
+   * Two coordinates relative to the focus as integers, in a unit of 2^-60 windows of whole size; exact but for one
+   * floor.
+   */
   flattened(point, kept) {
-    const { focus } = this;
+    const {focus} = this;
     const shift = BigInt(this.exponent + 60);
     return kept.map((axis) => {
       const gap = point[axis] * focus.weight - focus.point[axis];

@@ -1,20 +1,25 @@
 // Where it fails: methods × families, and of one method classes × families. A cell leads to its cases.
-import { h, link, table } from './dom.js';
-import { grouped, interval, percent, shareInWords } from './figures.js';
-import { heatGrid } from './grid.js';
-import { classRow, inOrder, report, rows, runsOf } from './report.js';
-import { note, to } from './route.js';
+import {h, link, table} from './dom.js';
+import {grouped, interval, percent, shareInWords} from './figures.js';
+import {heatGrid} from './grid.js';
+import {caseList, casesWith, chooseRun, paged} from './lists.js';
+import {classRow, inOrder, report, rows, runsOf} from './report.js';
+import {to} from './route.js';
 
 const narrow = () => window.innerWidth < 760;
 
 /** Of fuzz: totals by method, family and format. Of certificates: the sampled rows, added up. */
 function countsOf(run) {
   if (run.kind === 'fuzz') {
-    return rows(run.counts).map((row) => ({ ...row, method: row.method, judged: row.asked - row.unsupported }));
+    return rows(run.counts).map((row) => ({...row, method: row.method, judged: row.asked - row.unsupported}));
   }
   return [...rows(run.record.sampled), ...rows(run.record.own_cases)].map((row) => ({
-    ...row, method: run.record.method, slot: row.class ?? row.case, judged: row.n, wrong: row.k,
-  }));
+                                                                            ...row,
+                                                                            method: run.record.method,
+                                                                            slot: row.class ?? row.case,
+                                                                            judged: row.n,
+                                                                            wrong: row.k,
+                                                                          }));
 }
 
 /** Sums of counts by a key: a map from the key to {judged, wrong, severities}. */
@@ -22,140 +27,148 @@ function summed(counts, keyOf) {
   const sums = new Map();
   for (const row of counts) {
     const key = keyOf(row);
-    const sum = sums.get(key) ?? { judged: 0, wrong: 0, plain: 0, boundary: 0, extreme: 0 };
+    const sum = sums.get(key) ?? {judged: 0, wrong: 0, plain: 0, boundary: 0, extreme: 0};
     for (const name of Object.keys(sum)) sum[name] += row[name] ?? row[`severity.${name}`] ?? 0;
     sums.set(key, sum);
   }
   return sums;
 }
 
-/** Numbers of the cases of a run with these features. */
-export function casesWith(run, features) {
-  return run.cases.filter((number) => {
-    const entry = report.cases[number];
-    return Object.entries(features).every(([name, value]) => {
-      if (value === null || value === undefined) return true;
-      if (name === 'fmt') return (entry.case.fmt ?? 'binary64') === value;
-      // Constructions of polygons are no part of a case; then all cases of the family are shown.
-      if (name === 'slot') return entry.class ? entry.class === value : !classRow(value);
-      return entry[name] === value;
-    });
-  });
-}
-
 function worstOf(sum) {
-  const found = ['plain', 'boundary', 'extreme'].filter((name) => sum[name] > 0).map((name) => `${grouped(sum[name])} ${name}`);
+  const found =
+      ['plain', 'boundary', 'extreme'].filter((name) => sum[name] > 0).map((name) => `${grouped(sum[name])} ${name}`);
   return found.length ? `. By severity: ${found.join(', ')}` : '';
 }
 
 function cellFrom(run, sum, features) {
   if (!sum || sum.judged === 0) return null;
   const cases = casesWith(run, features).length;
-  const shown = sum.wrong === 0 ? '' : cases ? ` → ${grouped(cases)} in this report` : ' → none of them is in this report';
+  const shown = sum.wrong === 0 ? '' :
+      cases                     ? ` → ${grouped(cases)} in this report` :
+                                  ' → none of them is in this report';
   return {
-    share: sum.wrong / sum.judged, n: sum.judged, words: shareInWords(sum.wrong, sum.judged) + worstOf(sum) + shown,
-    href: to('cell', run.index, { method: features.method, family: features.family, slot: features.slot, fmt: features.fmt }),
+    share: sum.wrong / sum.judged,
+    n: sum.judged,
+    words: shareInWords(sum.wrong, sum.judged) + worstOf(sum) + shown,
+    href: to(
+        'cell', run.index, {method: features.method, family: features.family, slot: features.slot, fmt: features.fmt}),
   };
 }
 
 const label = (method, fmt) => `${method} · ${fmt === 'binary32' ? '32' : '64'}`;
 
 function methodsByFamilies(run, counts) {
-  const places = [...new Map(counts.filter((row) => row.judged > 0).map((row) => [label(row.method, row.fmt), row])).values()];
+  const places =
+      [...new Map(counts.filter((row) => row.judged > 0).map((row) => [label(row.method, row.fmt), row])).values()];
   const names = inOrder(places.map((row) => row.method));
   places.sort((a, b) => names.indexOf(a.method) - names.indexOf(b.method) || (a.fmt < b.fmt ? 1 : -1));
-  const methods = places.map(({ method, fmt }) => ({ name: label(method, fmt), href: to('matrix', run.index, { method, fmt }), method, fmt }));
+  const methods = places.map(
+      ({method, fmt}) => ({name: label(method, fmt), href: to('matrix', run.index, {method, fmt}), method, fmt}));
   const order = Object.keys(report.families ?? {});
-  const families = inOrder(counts.map((row) => row.family), order).map((name) => ({ name, title: report.families?.[name]?.about }));
+  const families =
+      inOrder(counts.map((row) => row.family), order).map((name) => ({name, title: report.families?.[name]?.about}));
   const sums = summed(counts, (row) => `${label(row.method, row.fmt)}\n${row.family}`);
   const byName = new Map(methods.map((entry) => [entry.name, entry]));
   const cell = (methodName, family) => {
-    const { method, fmt } = byName.get(methodName);
-    return cellFrom(run, sums.get(`${methodName}\n${family}`), { method, family, fmt });
+    const {method, fmt} = byName.get(methodName);
+    return cellFrom(run, sums.get(`${methodName}\n${family}`), {method, family, fmt});
   };
-  return paged(methods, (shown) => narrow()
-    ? heatGrid({ rows: families, columns: shown, cellOf: (family, name) => cell(name, family), corner: 'family', label: 'families by methods', compact: shown.length > 5 })
-    : heatGrid({ rows: shown, columns: families, cellOf: cell, corner: 'method', label: 'methods by families' }), narrow() ? 8 : 40);
-}
-
-/** Shows a long list by so many at a time. */
-function paged(items, draw, size) {
-  if (items.length <= size) return draw(items);
-  const box = h('div', {});
-  const show = (from) => {
-    const step = (target, name) => h('button', { type: 'button', disabled: target < 0 || target >= items.length, onclick: () => show(target) }, name);
-    box.replaceChildren(h('p', { class: 'steps' }, step(from - size, '←'), ` ${from + 1}–${Math.min(items.length, from + size)} of ${items.length} `, step(from + size, '→')),
-      draw(items.slice(from, from + size)));
-  };
-  show(0);
-  return box;
+  return paged(
+      methods,
+      (shown) => narrow() ?
+          heatGrid({
+            rows: families,
+            columns: shown,
+            cellOf: (family, name) => cell(name, family),
+            corner: 'family',
+            label: 'families by methods',
+            compact: shown.length > 5
+          }) :
+          heatGrid({rows: shown, columns: families, cellOf: cell, corner: 'method', label: 'methods by families'}),
+      narrow() ? 8 : 40);
 }
 
 function classesByFamilies(run, counts, method, fmt, all) {
   const own = counts.filter((row) => row.method === method && row.fmt === fmt && row.judged > 0);
   const bySlot = summed(own, (row) => row.slot);
-  const wrong = [...bySlot].filter(([, sum]) => sum.wrong > 0 || all)
-    .sort(([, a], [, b]) => b.wrong / b.judged - a.wrong / a.judged).map(([name]) => name);
-  const families = inOrder(own.map((row) => row.family), Object.keys(report.families ?? {})).map((name) => ({ name, title: report.families?.[name]?.about }));
+  const wrong = [...bySlot]
+                    .filter(([, sum]) => sum.wrong > 0 || all)
+                    .sort(([, a], [, b]) => b.wrong / b.judged - a.wrong / a.judged)
+                    .map(([name]) => name);
+  const families = inOrder(own.map((row) => row.family), Object.keys(report.families ?? {}))
+                       .map((name) => ({name, title: report.families?.[name]?.about}));
   if (wrong.length === 0) {
     const n = own.reduce((sum, row) => sum + row.judged, 0);
-    return h('p', { class: 'lead' }, `Nothing wrong: ${shareInWords(0, n)}. `, link(to('matrix', run.index, { method, fmt, all: 1 }), 'Show all that were asked'));
+    return h(
+        'p', {class: 'lead'}, `Nothing wrong: ${shareInWords(0, n)}. `,
+        link(to('matrix', run.index, {method, fmt, all: 1}), 'Show all that were asked'));
   }
   const sums = summed(own, (row) => `${row.slot}\n${row.family}`);
-  const slots = wrong.map((name) => ({ name, title: classRow(name)?.words, href: classRow(name) && to('class', name) }));
+  const slots = wrong.map((name) => ({name, title: classRow(name)?.words, href: classRow(name) && to('class', name)}));
   return [
     h('p', {}, `${grouped(wrong.length)} classes${all ? '' : ' with a wrong answer'}, the highest share first. `,
-      !all && link(to('matrix', run.index, { method, fmt, all: 1 }), 'Show all that were asked')),
-    paged(slots, (shown) => heatGrid({
-      rows: shown, columns: families, corner: 'class', label: `classes by families of ${method}`, compact: true,
-      cellOf: (slot, family) => cellFrom(run, sums.get(`${slot}\n${family}`), { method, family, slot, fmt }),
-    }), 40),
+      !all && link(to('matrix', run.index, {method, fmt, all: 1}), 'Show all that were asked')),
+    paged(
+        slots, (shown) => heatGrid({
+                 rows: shown,
+                 columns: families,
+                 corner: 'class',
+                 label: `classes by families of ${method}`,
+                 compact: true,
+                 cellOf: (slot, family) => cellFrom(run, sums.get(`${slot}\n${family}`), {method, family, slot, fmt}),
+               }),
+        40),
   ];
 }
 
 const hunts = () => [...runsOf('fuzz'), ...runsOf('certificate')];
 
-/** A choice between runs, if there are several. */
-export function chooseRun(runs, index, where) {
-  if (runs.length < 2) return null;
-  const select = h('select', { id: 'run', onchange: () => { location.hash = to(where, select.value); } },
-    runs.map((run) => h('option', { value: run.index, selected: run.index === index }, run.title === run.directory ? run.title : `${run.title} (${run.directory})`)));
-  return h('p', { class: 'controls' }, h('label', { for: 'run' }, 'of '), select);
-}
-
 export function matrixPage(path, query) {
   const runs = hunts();
-  const run = runs.find(({ index }) => index === Number(path[1] ?? runs[0]?.index)) ?? runs[0];
+  const run = runs.find(({index}) => index === Number(path[1] ?? runs[0]?.index)) ?? runs[0];
   if (!run) return h('p', {}, 'No hunt is in this report.');
   const counts = countsOf(run);
   const method = query.get('method'), fmt = query.get('fmt');
   return [
     h('h1', {}, 'Where it fails'),
-    h('p', { class: 'lead' }, 'Share of wrong answers in percent, by the family that made the cases. Each family stresses one thing; none is a sample of anybody’s scene.'),
+    h('p', {class: 'lead'},
+      'Share of wrong answers in percent, by the family that made the cases. Each family stresses one thing; none is a sample of anybody’s scene.'),
     chooseRun(runs, run.index, 'matrix'),
-    method
-      ? [h('p', { class: 'crumbs' }, link(to('matrix', run.index), 'all methods'), ` › ${method}, ${fmt}`), classesByFamilies(run, counts, method, fmt, query.get('all'))]
-      : [methodsByFamilies(run, counts), h('p', { class: 'note' }, 'A method’s name leads to its classes. 64 and 32: cases of binary64 and of binary32 coordinates, which are never added up.')],
-    run.left_out?.length > 0 && h('p', { class: 'note' }, run.left_out.join(' ')),
+    method ?
+        [
+          h('p', {class: 'crumbs'}, link(to('matrix', run.index), 'all methods'), ` › ${method}, ${fmt}`),
+          classesByFamilies(run, counts, method, fmt, query.get('all'))
+        ] :
+        [
+          methodsByFamilies(run, counts),
+          h('p', {class: 'note'},
+            'A method’s name leads to its classes. 64 and 32: cases of binary64 and of binary32 coordinates, which are never added up.')
+        ],
+    run.left_out?.length > 0 && h('p', {class: 'note'}, run.left_out.join(' ')),
   ];
 }
 
 /** One cell: its figures and its counterexamples. */
 export function cellPage(path, query) {
-  const run = { ...report.runs[Number(path[1])], index: Number(path[1]) };
+  const run = {...report.runs[Number(path[1])], index: Number(path[1])};
   if (!run.kind) return h('p', {}, 'There is no such run.');
   const features = Object.fromEntries(['method', 'family', 'slot', 'fmt'].map((name) => [name, query.get(name)]));
-  const matches = countsOf(run).filter((row) => Object.entries(features).every(([name, value]) => !value || row[name] === value));
-  const sum = matches.reduce((all, row) => ({ judged: all.judged + row.judged, wrong: all.wrong + row.wrong }), { judged: 0, wrong: 0 });
+  const matches =
+      countsOf(run).filter((row) => Object.entries(features).every(([name, value]) => !value || row[name] === value));
+  const sum = matches.reduce(
+      (all, row) => ({judged: all.judged + row.judged, wrong: all.wrong + row.wrong}), {judged: 0, wrong: 0});
   const numbers = casesWith(run, features);
   const [lower, upper] = interval(sum.wrong, sum.judged);
   return [
-    h('p', { class: 'crumbs' }, link(to('matrix', run.index), 'matrix'), ' › ', link(to('matrix', run.index, { method: features.method, fmt: features.fmt }), features.method), ` › ${[features.family, features.slot, features.fmt].filter(Boolean).join(' · ')}`),
+    h('p', {class: 'crumbs'}, link(to('matrix', run.index), 'matrix'), ' › ',
+      link(to('matrix', run.index, {method: features.method, fmt: features.fmt}), features.method),
+      ` › ${[features.family, features.slot, features.fmt].filter(Boolean).join(' · ')}`),
     h('h1', {}, [features.method, features.family, features.slot].filter(Boolean).join(' · ')),
-    h('p', { class: 'lead' }, sum.judged ? shareInWords(sum.wrong, sum.judged) : 'nobody was asked', '.'),
+    h('p', {class: 'lead'}, sum.judged ? shareInWords(sum.wrong, sum.judged) : 'nobody was asked', '.'),
     sum.judged > 0 && intervalBar(sum.wrong / sum.judged, lower, upper),
     features.slot && classRow(features.slot) && h('p', {}, classRow(features.slot).words),
-    features.family && report.families?.[features.family] && h('p', {}, `${features.family}: ${report.families[features.family].about}`),
+    features.family && report.families?.[features.family] &&
+        h('p', {}, `${features.family}: ${report.families[features.family].about}`),
     h('h2', {}, numbers.length ? 'Counterexamples' : 'No counterexample of this cell is in the report'),
     numbers.length > 0 && caseList(numbers),
     features.slot === null && sum.wrong > 0 && byClass(matches),
@@ -166,40 +179,24 @@ export function cellPage(path, query) {
 function intervalBar(share, lower, upper) {
   const scale = Math.min(1, Math.max(upper * 1.15, 1e-9));
   const at = (x) => `${(100 * x) / scale}%`;
-  return h('div', { class: 'interval', 'aria-hidden': 'true' },
-    h('i', { style: `left:${at(lower)};width:calc(${at(upper)} - ${at(lower)})` }), h('b', { style: `left:${at(share)}` }),
-    h('small', {}, '0'), h('small', {}, percent(scale)));
+  return h(
+      'div', {class: 'interval', 'aria-hidden': 'true'},
+      h('i', {style: `left:${at(lower)};width:calc(${at(upper)} - ${at(lower)})`}),
+      h('b', {style: `left:${at(share)}`}), h('small', {}, '0'), h('small', {}, percent(scale)));
 }
 
 function byClass(matches) {
-  const sums = [...summed(matches, (row) => row.slot)].filter(([, sum]) => sum.wrong > 0).sort(([, a], [, b]) => b.wrong - a.wrong);
-  return [h('h2', {}, 'By class'), table(['class', 'in words', 'wrong', 'judged', 'share'], sums.slice(0, 40).map(([slot, sum]) => [
-    classRow(slot) ? link(to('class', slot), slot) : slot, classRow(slot)?.words ?? '', { cell: grouped(sum.wrong), class: 'n' }, { cell: grouped(sum.judged), class: 'n' }, { cell: percent(sum.wrong / sum.judged), class: 'n' }]))];
-}
-
-export function caseList(numbers) {
-  return paged(numbers, (shown) => table(['case', 'method', 'outcome', 'severity', 'class', 'family', 'format'], shown.map((number) => {
-    const entry = report.cases[number];
-    return [link(to('case', number), entry.case.id), entry.method ?? '', entry.outcome ?? '', entry.severity ?? '', entry.class ?? '', entry.family ?? '', (entry.case.fmt ?? 'binary64').replace('binary', '')];
-  }), { label: 'cases', class: 'cases' }), 100);
-}
-
-/** All cases, by what the fragment's parameters say. */
-export function casesPage(query) {
-  const all = report.cases.map((_, number) => number);
-  const features = { run: query.get('run') === null ? null : Number(query.get('run')), method: query.get('method'), outcome: query.get('outcome'), severity: query.get('severity'), slot: query.get('class') };
-  const pick = (key, values) => {
-    const select = h('select', { id: `pick-${key}`, onchange: () => { note({ [key]: select.value || null }); dispatchEvent(new HashChangeEvent('hashchange')); } },
-      h('option', { value: '' }, 'any'), values.map(([value, name]) => h('option', { value, selected: String(value) === query.get(key) }, name ?? value)));
-    return h('label', { for: `pick-${key}` }, `${key} `, select);
-  };
-  const seen = (of) => [...new Set(report.cases.map(of).filter((value) => value !== null && value !== undefined))].map((value) => [value]);
-  const numbers = casesWith({ cases: all }, features);
+  const sums = [...summed(matches, (row) => row.slot)].filter(([, sum]) => sum.wrong > 0).sort(([, a], [
+                                                                                                 , b
+                                                                                               ]) => b.wrong - a.wrong);
   return [
-    h('h1', {}, 'Cases'),
-    h('p', { class: 'lead' }, `${grouped(numbers.length)} of ${grouped(all.length)} in this report, the worst first: everyday input before boundaries before extreme scales.`),
-    h('p', { class: 'controls' }, pick('run', report.runs.map((run, i) => [i, `${run.kind}: ${run.title}`])), pick('method', seen((entry) => entry.method)),
-      pick('outcome', seen((entry) => entry.outcome)), pick('severity', seen((entry) => entry.severity))),
-    numbers.length ? caseList(numbers) : h('p', {}, 'None.'),
+    h('h2', {}, 'By class'),
+    table(
+        ['class', 'in words', 'wrong', 'judged', 'share'],
+        sums.slice(0, 40).map(
+            ([slot, sum]) =>
+                [classRow(slot) ? link(to('class', slot), slot) : slot, classRow(slot)?.words ?? '',
+                 {cell: grouped(sum.wrong), class: 'n'}, {cell: grouped(sum.judged), class: 'n'},
+                 {cell: percent(sum.wrong / sum.judged), class: 'n'}]))
   ];
 }

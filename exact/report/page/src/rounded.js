@@ -2,7 +2,10 @@
 // order, each rounded once. JavaScript's numbers are binary64; Math.fround rounds to binary32, and as binary64 has more
 // than twice its digits, a sum or product rounded twice is the one rounded once.
 
-const kinds = { binary64: (x) => x, binary32: Math.fround };
+const kinds = {
+  binary64: (x) => x,
+  binary32: Math.fround
+};
 
 function det3(u, v, w, round) {
   const r = round;
@@ -16,7 +19,7 @@ function det3(u, v, w, round) {
 export function roundedVolumes(question, format) {
   const round = kinds[format];
   const arm = (o, x) => x.map((value, i) => round(value - o[i]));
-  const { p, q, isRay, rings } = question;
+  const {p, q, isRay, rings} = question;
   const [a, b, c] = rings[0];
   const end = (o) => (isRay ? q : arm(o, q));
   return [

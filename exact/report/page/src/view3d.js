@@ -1,15 +1,13 @@
 // The case in 3D: three.js draws what the lens shows, in a parallel projection. Zooming makes the window of the lens
 // smaller, and all geometry is made again, exactly, for each size.
-import {
-  BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh, MeshBasicMaterial, OrthographicCamera, Scene, ShapeUtils,
-  Vector2, Vector3, WebGLRenderer,
-} from 'three';
-import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
-import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
-import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
-import { minus } from './exact.js';
-import { Lens } from './lens.js';
-import { edgesOf, placeOf } from './question.js';
+import {BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh, MeshBasicMaterial, OrthographicCamera, Scene, ShapeUtils, Vector2, Vector3, WebGLRenderer,} from 'three';
+import {LineMaterial} from 'three/addons/lines/LineMaterial.js';
+import {LineSegments2} from 'three/addons/lines/LineSegments2.js';
+import {LineSegmentsGeometry} from 'three/addons/lines/LineSegmentsGeometry.js';
+
+import {minus} from './exact.js';
+import {Lens} from './lens.js';
+import {edgesOf, placeOf} from './question.js';
 
 /** Half the height of what is seen, in windows. */
 const half = 1.15;
@@ -20,8 +18,8 @@ let renderer = null;
 export class View3D {
   /** Draws on `canvas`, and names in `labels`, an element that lies over it. `palette()` gives colours as CSS text. */
   constructor(canvas, labels, palette) {
-    Object.assign(this, { canvas, labels, palette, yaw: 0.6, pitch: 0.45 });
-    renderer ??= new WebGLRenderer({ antialias: true, alpha: true });
+    Object.assign(this, {canvas, labels, palette, yaw: 0.6, pitch: 0.45});
+    renderer ??= new WebGLRenderer({antialias: true, alpha: true});
     renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
     this.camera = new OrthographicCamera(-1, 1, 1, -1, -200, 200);
     this.scene = new Scene();
@@ -38,14 +36,15 @@ export class View3D {
     this.addSurfaces(lens, colours.target);
     const target = edgesOf(question).map(([from, to]) => lens.line(from, minus(to, from))).filter(Boolean);
     this.addLines(target, colours.target, 2.5);
-    const { p, direction } = question.exact;
+    const {p, direction} = question.exact;
     this.addLines([lens.line(p, direction, question.isRay)].filter(Boolean), colours.probe, 4);
     this.addNames(lens, question, marks);
     this.render();
   }
 
   addSurfaces(lens, colour) {
-    const material = new MeshBasicMaterial({ color: colour, transparent: true, opacity: 0.16, side: DoubleSide, depthWrite: false });
+    const material =
+        new MeshBasicMaterial({color: colour, transparent: true, opacity: 0.16, side: DoubleSide, depthWrite: false});
     for (const rings of lens.surfaces()) {
       const points = rings.flat();
       const geometry = new BufferGeometry();
@@ -59,13 +58,13 @@ export class View3D {
     if (lines.length === 0) return;
     const geometry = new LineSegmentsGeometry();
     geometry.setPositions(lines.flat(2));
-    const material = new LineMaterial({ color: colour, linewidth: width });
+    const material = new LineMaterial({color: colour, linewidth: width});
     this.world.add(new LineSegments2(geometry, material));
   }
 
   /** Names stand beside their points as text over the canvas; squares for the target, discs for the probe. */
   addNames(lens, question, marks) {
-    const { p, q, rings } = question.exact;
+    const {p, q, rings} = question.exact;
     const inputs = [
       ...rings.flatMap((ring, r) => ring.map((point, i) => [nameOfVertex(question, r, i), placeOf(point), 'target'])),
       [question.isRay ? 'o' : 'p', placeOf(p), 'probe'],
@@ -115,11 +114,11 @@ export class View3D {
 
   /** Draws, and places the names. Cases have z up. */
   render() {
-    const { clientWidth: width, clientHeight: height } = this.canvas;
+    const {clientWidth: width, clientHeight: height} = this.canvas;
     if (width === 0 || height === 0) return;
     renderer.setSize(width, height, false);
     const aspect = width / height;
-    Object.assign(this.camera, { left: -half * aspect, right: half * aspect, top: half, bottom: -half });
+    Object.assign(this.camera, {left: -half * aspect, right: half * aspect, top: half, bottom: -half});
     this.camera.up.set(0, 0, 1);
     this.camera.position.set(...eyeAt(this.yaw, this.pitch));
     this.camera.lookAt(0, 0, 0);
@@ -148,7 +147,8 @@ const nameOfVertex = (question, ring, i) => {
 /** Triangles, as indices, of planar rings that share one plane: seen along its longest axis. */
 function triangulate(rings) {
   const points = rings.flat();
-  const span = [0, 1, 2].map((axis) => Math.max(...points.map((x) => x[axis])) - Math.min(...points.map((x) => x[axis])));
+  const span =
+      [0, 1, 2].map((axis) => Math.max(...points.map((x) => x[axis])) - Math.min(...points.map((x) => x[axis])));
   const drop = span.indexOf(Math.min(...span));
   const flat = rings.map((ring) => ring.map((x) => new Vector2(...x.filter((_, axis) => axis !== drop))));
   return ShapeUtils.triangulateShape(flat[0], flat.slice(1));
