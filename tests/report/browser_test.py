@@ -128,6 +128,14 @@ def test_signs_are_those_of_the_program(page):
     check(seen >= 16, 'few cases have signs')
 
 
+def test_cases_of_every_kind_of_run(page):
+    for run in page.data['runs']:
+        for number in run['cases'][:1]:
+            page.go(f'#/case/{number}')
+            check(page.text('h1 code') == page.data['cases'][number]['case']['id'], f'case {number} is not shown')
+            check('undefined' not in page.text('main'), f'case {number} of {run["kind"]}: undefined')
+
+
 def test_a_pixel_of_a_map_is_a_case(page):
     page.go('#/map')
     page.focus('canvas.map')
@@ -147,14 +155,20 @@ def test_a_pixel_of_a_map_is_a_case(page):
 
 
 def test_sweep_by_keys(page):
-    page.go('#/sweep')
+    page.go('#/sweep?axis=sliver')
     page.focus('.lines')
     page.press(Keys.ARROW_RIGHT, Keys.ARROW_RIGHT)
     first = page.text('.detail')
     page.press(Keys.ARROW_DOWN)
     check(' of ' in first and page.text('.detail') != first, 'arrow keys say nothing along a sweep')
+    for _ in range(40):
+        if 'witness' in page.text('.detail'):
+            break
+        page.press(Keys.ARROW_RIGHT)
+    check('witness' in page.text('.detail'), f'no witness along a sweep: {page.text(".detail")}')
+    identity = page.text('.detail').split('witness: ')[1]
     page.press(Keys.ENTER)
-    check(page.fragment().startswith('#/case'), 'a sweep leads to no case')
+    check(page.fragment().startswith('#/case/') and page.text('h1 code') == identity, 'a sweep leads to no case')
 
 
 def test_pictures(page):
@@ -240,6 +254,6 @@ def run(file, tests):
 
 
 run(sys.argv[1], [test_every_view_draws, test_from_the_matrix_to_a_case, test_the_case_in_3d, test_a_copied_case_replays,
-                  test_signs_are_those_of_the_program, test_a_pixel_of_a_map_is_a_case, test_sweep_by_keys, test_pictures,
+                  test_signs_are_those_of_the_program, test_cases_of_every_kind_of_run, test_a_pixel_of_a_map_is_a_case, test_sweep_by_keys, test_pictures,
                   test_a_state_is_a_link, test_widths_and_accessibility])
 run(sys.argv[2], [test_hostile_names_stay_text])

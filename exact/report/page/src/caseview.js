@@ -36,6 +36,19 @@ function verdictLine(entry) {
       entry.in_words && ` – ${entry.in_words}`, '.');
 }
 
+/** Where a case was generated: in a family, along an axis, or on a mesh; of one's own data, from which file. */
+function originInWords(origin) {
+  const {family, axis, value, stress, mesh, ray, face, aimed_at: aim, fmt, seed, case: number, file} = origin;
+  const place = mesh !== undefined ? `${mesh}: ray ${ray}, aimed at ${aim}, and face ${face}` :
+      value !== undefined ? `sweep along ${axis}, at ${value}` :
+                            family;
+  const parts = [
+    place, fmt, seed !== undefined && `seed ${seed}`, number !== undefined && `case ${number}`,
+    stress !== undefined && axis && `${axis}: ${stress}`, file
+  ];
+  return parts.filter(Boolean).join(', ');
+}
+
 function facts(entry, question) {
   const crossing = question.finite && !question.isPolygon ? crossingOf(question) : null;
   const t = crossing && tOf(question);
@@ -60,12 +73,7 @@ function facts(entry, question) {
                'none: they do not meet')
     ],
     ['line meets plane at', t],
-    [
-      'from',
-      origin &&
-          `${origin.family}, ${origin.fmt}, seed ${origin.seed}, case ${origin.case}${
-              origin.stress !== undefined && origin.axis ? `; ${origin.axis}: ${origin.stress}` : ''}`
-    ],
+    ['from', origin && originInWords(origin)],
     ['file', entry.file && `${entry.file}, line ${entry.line}`],
   ].filter(([, value]) => value);
   return h('dl', {class: 'facts'}, list.map(([name, value]) => [h('dt', {}, name), h('dd', {}, value)]));

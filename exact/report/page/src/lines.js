@@ -47,9 +47,9 @@ function marksPath(series, look) {
 
 /**
  * series: [{name, points: [{n, k, share, lower, upper} or null, one for each x]}]; `go(series, i)` is where a click
- * leads.
+ * leads, and `also(series, i)` says what else there is where something failed.
  */
-export function linesWithBands({xs, series, xTitle, logarithmic, label, go}) {
+export function linesWithBands({xs, series, xTitle, logarithmic, label, go, also}) {
   const looks = series.map((_, i) => lookOf(i));
   const told =
       h('p', {class: 'detail', role: 'status'},
@@ -125,7 +125,7 @@ export function linesWithBands({xs, series, xTitle, logarithmic, label, go}) {
     const point = series[s].points[i];
     told.replaceChildren(
         h('b', {}, `${series[s].name}, at ${significant(xs[i])}: `),
-        point ? shareInWords(point.k, point.n) : 'nobody was asked');
+        point ? shareInWords(point.k, point.n) : 'nobody was asked', (point?.k > 0 && also?.(series[s], i)) || '');
   }
   function pointAt(u) {
     const {idx, top} = u.cursor;

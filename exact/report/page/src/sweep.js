@@ -27,14 +27,16 @@ export function tabs(label, names, current, hrefOf) {
       names.map((name) => h('a', {href: hrefOf(name), 'aria-current': name === current ? 'true' : null}, name)));
 }
 
-/** The witnesses of a method on an axis, nearest to a value first. */
-function witnesses(run, method, axis, fmt, value) {
+/** The witnesses of a method on an axis, those of the outcome that is shown and nearest to a value first. */
+function witnesses(run, method, {axis, fmt, probe, outcome}, value) {
   const cases = run.cases.filter((number) => {
     const {method: name, case: data, origin} = report.cases[number];
-    return name === method && (data.fmt ?? 'binary64') === fmt && origin?.family === axis;
+    if ((data.ray ? 'ray' : 'segment') !== probe) return false;
+    return name === method && (data.fmt ?? 'binary64') === fmt && origin?.axis === axis && origin.value !== undefined;
   });
-  const gap = (number) => Math.abs((report.cases[number].origin?.stress ?? 0) - value);
-  return cases.sort((a, b) => gap(a) - gap(b));
+  const gap = (number) => Math.abs(report.cases[number].origin.value - value);
+  const other = (number) => Number(report.cases[number].outcome !== outcome);
+  return cases.sort((a, b) => other(a) - other(b) || gap(a) - gap(b));
 }
 
 export function sweepPage(path, query) {
@@ -65,8 +67,12 @@ export function sweepPage(path, query) {
                           }))
                      .filter(({points}) => points.some(Boolean));
   const go = ({name}, i) => {
-    const [nearest] = witnesses(run, name, axis.name, fmt, xs[i]);
+    const [nearest] = witnesses(run, name, state, xs[i]);
     location.hash = nearest === undefined ? to('cases', {run: run.index, method: name}) : to('case', nearest);
+  };
+  const also = ({name}, i) => {
+    const [nearest] = witnesses(run, name, state, xs[i]);
+    return nearest === undefined ? '' : `. Nearest witness: ${report.cases[nearest].case.id}`;
   };
   return [
     h('h1', {}, 'Where it begins to fail'),
@@ -82,7 +88,8 @@ export function sweepPage(path, query) {
       xTitle: axis.quantity,
       logarithmic: axis.spacing === 'logarithmic',
       label: `${outcome} along ${axis.name}, ${fmt}, ${probe}s`,
-      go
+      go,
+      also
     }) :
                     h('p', {class: 'note'}, 'Nobody was asked this.'),
     h('h2', {}, 'Thresholds'),
