@@ -128,7 +128,7 @@ def page(classes):
             "test is a function of the class. Each drawing shows one representative with small integers as coordinates: the triangle a b c;",
             "the segment p q or the ray from o along d; in orange what they have in common; dashed what is hidden behind the triangle.",
             "Signs are those of the volumes abcp, abcq, pqab, pqbc and pqca ([conventions.md](conventions.md); of a ray q stands for d).",
-            "They decide wherever not all of them are 0; in one plane the test goes on with signs of areas.",
+            "They decide where the first two are not both 0; else the test goes on in the triangle's plane, with signs of areas.",
             "`data/classes163.tsv` and `data/ray_classes.tsv` have the representatives.", "",
             "`python3 docs/atlas.py build/release/tribunal docs` makes this page and its drawings."]
     for kind, title in (("C", "A segment and a triangle"), ("R", "A ray and a triangle")):

@@ -47,7 +47,7 @@ Line map_line(std::size_t run, const Json& panel, const std::string& map) {
           .method = method,
           .level = wrong > 0 ? Level::boundary : Level::nothing,
           .fmt = panel.value("fmt", ""),
-          .text = method + ": wrong on " + share_in_words(wrong, judged) + " pixels of the map `" + map + "`",
+          .text = method + ": wrong on " + share_in_words(wrong, judged) + " pixels of the map " + map,
           .detail = "each pixel is a case, some units in the last place from a contact",
           .wrong = wrong,
           .judged = judged};
