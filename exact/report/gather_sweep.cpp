@@ -103,8 +103,11 @@ void gather_map(Run& run, Gathering& g) {
     run.page["methods"].push_back(g.add_method({{"name", panel.at("method")}, {"fmt", panel.value("fmt", "")}}));
     g.add(map_line(run.number, panel, map));
   }
-  run.page["command"] = command_of({"sweep", "--map", map, "--map-size", std::to_string(number_in(r, "size")),
-                                    "--method", joined(run.page["methods"]), "--out", run.directory});
+  std::vector<std::string> words{"sweep", "--map", map};
+  if (r.value("probe", "segment") == "ray") words.insert(words.end(), {"--probe", "ray"});
+  words.insert(words.end(), {"--map-size", std::to_string(number_in(r, "size")), "--method",
+                             joined(run.page["methods"]), "--out", run.directory});
+  run.page["command"] = command_of(words);
   for (const char* key : {"base", "unit"}) {
     if (!r.contains(key)) r[key] = Json();
   }

@@ -39,5 +39,3 @@ said = subprocess.run([program, "replay", f"{out}/one.jsonl"], capture_output=Tr
 assert said.returncode == 1 and re.search(rf"^  {shown['method']} .*WRONG", said.stdout, re.M), said.stdout
 EOF
 
-"$TRIBUNAL" chart --out "$scratch/charts" --count 3000 >/dev/null
-for file in chart.json speed-accuracy.svg speed-accuracy.png onset.svg onset.png speed.svg speed.png; do [ -s "$scratch/charts/$file" ]; done

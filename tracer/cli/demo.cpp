@@ -129,7 +129,7 @@ void run_render(Runner& runner, const Options& o) {
 
 void run_chart(Runner& runner, const Options& o) {
   runner.announce(5, "chart: speed against accuracy");
-  runner.run_threaded({"chart", declare_chart, {"--out", o.in("charts")}});
+  runner.run_threaded({"chart", declare_chart, {"--quick", "--out", o.in("charts")}});
 }
 
 void run_report(Runner& runner, const Options& o) {

@@ -253,33 +253,6 @@ std::string worst_faces(const SubjectReport& report, std::size_t most) {
   return text.empty() ? "" : text + "\n";
 }
 
-std::string painted(const Surface& surface, const SubjectReport& report) {
-  std::string text = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(surface.vertices().size()) +
-                     "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
-                     std::to_string(surface.face_count()) +
-                     "\nproperty list uchar int vertex_indices\nproperty uchar red\nproperty uchar green\n"
-                     "property uchar blue\nend_header\n";
-  char line[200];
-  for (const Point3& p : surface.vertices()) {
-    std::snprintf(line, sizeof line, "%.17g %.17g %.17g\n", p.x, p.y, p.z);
-    text += line;
-  }
-  const double most_leaks = *std::ranges::max_element(report.leaks_at);
-  const double most_errors = *std::ranges::max_element(report.errors_at);
-  for (std::uint32_t f = 0; f < surface.face_count(); ++f) {
-    int red = 200, green = 200, blue = 200;
-    if (report.leaks_at[f] > 0) {
-      red = 255, green = static_cast<int>(230 * (1 - report.leaks_at[f] / most_leaks)), blue = 0;
-    } else if (report.errors_at[f] > 0) {
-      red = green = static_cast<int>(170 * (1 - report.errors_at[f] / most_errors)), blue = 255;
-    }
-    const auto& c = surface.corners(f);
-    std::snprintf(line, sizeof line, "3 %u %u %u %d %d %d\n", c[0], c[1], c[2], red, green, blue);
-    text += line;
-  }
-  return text;
-}
-
 std::vector<Case> cases_of(const Surface& surface, const Subject& subject, const SubjectReport& report,
                            const std::string& mesh, std::uint64_t seed) {
   std::vector<Case> cases;

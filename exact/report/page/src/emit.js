@@ -94,5 +94,6 @@ const shellQuoted = (text) => (/^[\w./-]+$/.test(text) ? text : `'${text.replace
 /** For a case that stands in no file. */
 export const replayOfText = (data) => `tribunal replay - <<'EOF'\n${asJson(data)}\nEOF`;
 
-export const mapPixelCommand = (map, method, x, y) => `tribunal sweep --map ${shellQuoted(map.map)} --map-size ${
-    Number(map.size)} --method ${shellQuoted(method)} --pixel ${shellQuoted(`${method},${x},${y}`)}`;
+export const mapPixelCommand = (map, method, x, y) =>
+    `tribunal sweep --map ${shellQuoted(map.map)} ${map.probe === 'ray' ? '--probe ray ' : ''}--map-size ${
+        Number(map.size)} --method ${shellQuoted(method)} --pixel ${shellQuoted(`${method},${x},${y}`)}`;

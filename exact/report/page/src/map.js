@@ -110,11 +110,11 @@ export function mapPage(path) {
   if (!run) return h('p', {}, 'No failure map is in this report.');
   const used = new Set(run.record.panels.flatMap((panel) => panel.pixels.flatMap((row) => [...row])));
   return [
-    h('h1', {}, `Failure map: ${run.record.map}`),
+    h('h1', {}, `Failure map: ${run.record.map}${run.record.probe === 'ray' ? ', rays' : ''}`),
     h('p', {class: 'lead'},
       `In the middle ${
           run.record
-              .about}. A pixel moves x and y of the segment’s first end by one unit in the last place; each is a case.`),
+              .about}. A pixel moves x and y of the probe’s first point by one unit in the last place; each is a case.`),
     chooseRun(runs, run.index, 'map'),
     h('p', {class: 'legend'},
       Object.entries(meanings)
@@ -132,12 +132,14 @@ export function mapPage(path) {
 
 /** The case of a pixel, exactly as the program makes it. */
 function caseOfPixel(record, fmt, x, y) {
-  const {seg, tri} = record.base[fmt];
+  const {seg, ray, tri} = record.base[fmt];
   const unit = toDouble(record.unit[fmt]);
   const middle = Math.floor(record.size / 2);
-  const [px, py, pz] = seg[0].map(toDouble);
+  const [px, py, pz] = (ray?.o ?? seg[0]).map(toDouble);
   const moved = [px + (x - middle) * unit, py + (y - middle) * unit, pz];
-  return {id: `map-${record.map}-${fmt}-${x}-${y}`, fmt, seg: [moved.map(toHex), seg[1]], tri};
+  const source = moved.map(toHex);
+  const probe = ray ? {ray: {...ray, o: source}} : {seg: [source, seg[1]]};
+  return {id: `map-${record.map}-${fmt}-${x}-${y}`, fmt, ...probe, tri};
 }
 
 export function pixelPage(path, query) {
