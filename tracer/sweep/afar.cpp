@@ -15,6 +15,7 @@
 #include "exact/mesh/triangulate.h"
 #include "exact/trial/judge.h"
 #include "exact/trial/quick_truth.h"
+#include "exact/trial/severity.h"
 #include "tracer/leak/judge.h"
 #include "tracer/leak/ray_files.h"
 
