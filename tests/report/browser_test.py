@@ -56,6 +56,7 @@ def test_every_view_draws(page):
 
 def test_from_the_matrix_to_a_case(page):
     page.go('#/matrix')
+    check('How far off its numbers are' in page.text('main'), 'errors of t are not shown')
     page.focus('.grid [tabindex="0"]')
     before = page.text('.detail')
     page.press(Keys.ARROW_RIGHT, Keys.ARROW_DOWN)

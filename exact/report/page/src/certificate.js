@@ -1,6 +1,7 @@
 // A certificate as a page. What was not covered comes first; what was run whole, what was sampled and how the answers
 // relate to each other are never mixed.
 import {h, link, table} from './dom.js';
+import {numbersOf} from './errors.js';
 import {grouped, percent, shareInWords} from './figures.js';
 import {caseList, chooseRun} from './lists.js';
 import {rows, runsOf} from './report.js';
@@ -34,6 +35,7 @@ export function certificatePage(path) {
     sampled(run, record),
     h('h2', {}, '3 · Relations between answers'),
     relations(record),
+    numbersOf(run),
     own(record),
     calibration(record),
     run.cases.length > 0 && [h('h2', {}, 'Counterexamples'), caseList(run.cases)],

@@ -6,7 +6,8 @@ import {chooseRun} from './lists.js';
 import {inOrder, report, rows, runsOf} from './report.js';
 import {to} from './route.js';
 
-const outcomes = ['wrong', 'false hit', 'false miss', 'wrong contact', 'fault', 'refused'];
+const outcomes =
+    ['wrong', 'leak', 'double hit', 'parity', 'false hit', 'false miss', 'wrong contact', 'fault', 'refused'];
 
 /** A row of choices that are links, the present one marked; of many, a list to choose from. */
 export function tabs(label, names, current, hrefOf) {
