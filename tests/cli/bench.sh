@@ -11,7 +11,7 @@ run_ends() {
   [ "$status" -eq "$expected" ] || { echo "run $*: exit $status, expected $expected" >&2; cat err >&2; exit 1; }
 }
 root=$SOURCE_DIR
-run_ends 2 bench nothing && says err 'there are: polygon predicate tracer'
+run_ends 2 bench nothing && says err 'there are: paper polygon predicate tracer'
 run_ends 2 && says err 'usage: ./run build'
 run_ends 2 biuld && says err 'no such command: biuld'
 run_ends 2 build extra && says err 'build takes no arguments, found: extra'
