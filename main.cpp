@@ -31,8 +31,10 @@ int main(int argc, char** argv) {
       {"sweep", "where does each method begin to fail? Outcomes along stress axes",
        "tribunal sweep --method sf-double,mt-double --axis scale,sliver --out sweep", declare_sweep},
       {"chart", "measure speed and accuracy on the same cases", "tribunal chart --out charts", declare_chart},
-      {"demo", "the whole tour: fuzz, certify, render, chart, and a page that shows it", "tribunal demo --out out",
-       declare_demo},
+      {"report", "one page to explore any results: of fuzz, certify, judge, sweep, chart, leak, render, bench",
+       "tribunal report findings certificate sweep --out report.html", declare_report},
+      {"demo", "the whole tour: fuzz, certify, sweep, render, chart, and report, a page that shows it",
+       "tribunal demo --out out", declare_demo},
   };
   return run_program(commands, argc, argv);
 }

@@ -89,6 +89,13 @@ def read_cases(path):
     return cases or sys.exit(f"{path}: holds no cases")
 
 def report(cases, check):
+    """Findings about a whole mesh carry no evidence of one triangle: they are counted, and left out."""
+    of_meshes = [case for case in cases if isinstance(case.get("finding"), dict) and "method" in case["finding"] and
+                 case["finding"].get("outcome") in ("leak", "lost", "false hit", "double hit", "parity", "closest", "order", "fault")
+                 and "exact" not in case["finding"]]
+    if of_meshes:
+        print(f"{len(of_meshes)} of {len(cases)} cases are about a mesh: not checked")
+        cases = [case for case in cases if case not in of_meshes] or sys.exit("no other case: nothing was checked")
     failed = [case["id"] for case in cases if not check(case)]
     print(f"{len(cases) - len(failed)} of {len(cases)} cases confirmed", *failed, sep="\n  ")
     sys.exit(bool(failed))

@@ -6,11 +6,14 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
+#include <ctime>
 #include <string>
 
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
+#include "exact/base/interrupt.h"
 
 namespace tribunal {
 namespace {
@@ -36,10 +39,7 @@ class Script {
     char* const arguments[] = {const_cast<char*>(interpreter), file_.data(), json_.data(), directory_.data(), nullptr};
     pid_t child = 0;
     if (posix_spawnp(&child, interpreter, &output_, nullptr, arguments, environ) != 0) return false;
-    int status = 0;
-    while (waitpid(child, &status, 0) < 0) {
-      if (errno != EINTR) return false;
-    }
+    const int status = status_of(child);
     return WIFEXITED(status) && WEXITSTATUS(status) == 0;
   }
 
@@ -47,6 +47,21 @@ class Script {
   const std::string& log() const { return log_; }
 
  private:
+  /// Waits for the child by looking from time to time, since a signal handler does not end a call of waitpid; a signal
+  /// ends the child. −1 if it cannot be waited for.
+  static int status_of(pid_t child) {
+    constexpr timespec pause{0, 20'000'000};
+    int status = 0;
+    bool told = false;
+    for (;;) {
+      const pid_t ended = waitpid(child, &status, WNOHANG);
+      if (ended == child) return status;
+      if (ended < 0 && errno != EINTR) return -1;
+      if (interrupted() != 0 && !told) told = kill(child, SIGTERM) == 0;
+      nanosleep(&pause, nullptr);
+    }
+  }
+
   std::string file_, json_, directory_, log_;
   posix_spawn_file_actions_t output_{};
 };
@@ -56,7 +71,9 @@ class Script {
 void draw_figures(const std::string& directory, const std::string& script, const std::string& record) {
   Script plot(directory, record);
   write_file(plot.file(), script);
-  if (!plot.run_by("/usr/bin/python3") && !plot.run_by("python3")) {
+  const bool drawn = plot.run_by("/usr/bin/python3") || (interrupted() == 0 && plot.run_by("python3"));
+  fail_if_interrupted("not all figures are drawn, " + record + " holds the numbers");
+  if (!drawn) {
     throw Failure(Exit::resources, "no figures: they need python3 with matplotlib (Debian: python3-matplotlib); " +
                                        plot.log() + " says more, " + record + " holds the numbers");
   }

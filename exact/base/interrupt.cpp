@@ -2,6 +2,8 @@
 
 #include <csignal>
 
+#include "exact/base/failure.h"
+
 namespace tribunal {
 namespace {
 
@@ -20,5 +22,9 @@ void watch_interrupts() {
 }
 
 int interrupted() { return pending; }
+
+void fail_if_interrupted(const std::string& missing) {
+  if (pending != 0) throw Failure(static_cast<Exit>(128 + pending), "interrupted; " + missing);
+}
 
 }  // namespace tribunal

@@ -19,6 +19,7 @@
 #include "exact/shrink/shrink.h"
 #include "exact/trial/exact_hit.h"
 #include "exact/trial/observe.h"
+#include "exact/trial/severity.h"
 
 namespace tribunal {
 namespace {

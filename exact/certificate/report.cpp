@@ -1,26 +1,11 @@
-// Writes a certificate as Markdown, and as a summary for the terminal.
-#include <algorithm>
-#include <cstdio>
-#include <functional>
+// Writes a certificate as Markdown.
 #include <map>
 
-#include "exact/cases/families/aimed.h"
 #include "exact/certificate/bounds.h"
 #include "exact/certificate/report_parts.h"
 
 namespace tribunal {
 namespace {
-
-std::string percent(double rate) {
-  char text[32];
-  std::snprintf(text, sizeof text, rate == 0 || rate >= 0.001 ? "%.3g %%" : "%.2e %%", 100 * rate);
-  return text;
-}
-
-std::string rate_of(const Count& c) {
-  if (c.judged() == 0) return "-";
-  return percent(static_cast<double>(c.wrong) / static_cast<double>(c.judged()));
-}
 
 /// One more cell of a row of a table, which older logs have not: what the wrong answers are.
 std::string outcomes_head(const Certificate& c) { return c.says_outcomes() ? " of the wrong |\n" : "\n"; }
@@ -28,8 +13,6 @@ std::string outcomes_rule(const Certificate& c) { return c.says_outcomes() ? "--
 std::string outcomes_cell(const Certificate& c, const Count& count) {
   return c.says_outcomes() ? " " + breakdown(count) + " |\n" : "\n";
 }
-
-const char* classes_word(const Certificate& c) { return c.operands() == Operands::triangles ? "classes" : "outcomes"; }
 
 std::string proved_table(const Certificate& c) {
   std::string text = "| set | probes | cases | " + std::string(classes_word(c)) +
@@ -63,32 +46,11 @@ std::string sampled_table(const Certificate& c) {
       if (count.asked == 0) continue;
       text += "| " + row.family + " | " + std::string(name_of(row.format)) + " | " + probes_word(rays) + "s | " +
               stress_of(c, row) + " | " + std::to_string(count.judged()) + " | " + std::to_string(count.wrong) + " | " +
-              rate_of(count) + " | " + percent(upper_bound(count.wrong, count.judged(), confidence_alpha)) + " |" +
+              rate_of(count) + " | " + percent_text(upper_bound(count.wrong, count.judged(), confidence_alpha)) + " |" +
               outcomes_cell(c, count);
     }
   }
   return text;
-}
-
-/// The strata with the most wrong answers.
-std::vector<Stratum> worst_of(const Certificate& c, std::size_t most,
-                              const std::function<bool(const Stratum&)>& among) {
-  std::vector<Stratum> worst;
-  std::ranges::copy_if(c.strata, std::back_inserter(worst),
-                       [&](const Stratum& s) { return s.count.wrong > 0 && among(s); });
-  std::ranges::stable_sort(worst, std::greater{}, [](const Stratum& s) { return s.count.wrong; });
-  if (worst.size() > most) worst.resize(most);
-  return worst;
-}
-
-std::string worst_line(const Certificate& c) {
-  std::string text;
-  for (const Stratum& s : worst_of(c, 5, [](const Stratum&) { return true; })) {
-    text += (text.empty() ? "  most in  " : ", ") + slot_name(s.slot) + " " + c.streams[s.stream].family + " " +
-            std::string(name_of(c.streams[s.stream].format)) + " " + std::to_string(s.count.wrong) + "/" +
-            std::to_string(s.count.judged());
-  }
-  return text.empty() ? "" : text + "\n";
 }
 
 /// Of the sampled strata, or of one's own cases.
@@ -106,16 +68,12 @@ std::string worst_classes(const Certificate& c, bool own) {
   return text;
 }
 
-std::string coverage_text(const Certificate& c) {
-  return c.coverage.to_text(c.stages, [&](Stage stage) { return c.word_of(stage); });
-}
-
 std::string stages_line(const Certificate& c, const std::string& title, const Count& total) {
   std::string text = title;
   for (const Stage stage : c.stages) {
     const double share =
         total.judged() == 0 ? 0 : static_cast<double>(total.at(stage)) / static_cast<double>(total.judged());
-    text += " " + c.word_of(stage) + " " + std::to_string(total.at(stage)) + " (" + percent(share) + ")";
+    text += " " + c.word_of(stage) + " " + std::to_string(total.at(stage)) + " (" + percent_text(share) + ")";
   }
   return text + ".\n\n";
 }
@@ -189,151 +147,6 @@ std::string sampled_section(const Certificate& c) {
          worst_classes(c, false) + "\nPopulations:\n\n" + populations(c) + "\n";
 }
 
-std::string rate_of(const RelationRow& r) {
-  return percent(static_cast<double>(r.broken) / static_cast<double>(r.asked));
-}
-
-std::string interval_of(const RelationRow& r) {
-  return percent(lower_bound(r.broken, r.asked, confidence_alpha)) + " to " +
-         percent(upper_bound(r.broken, r.asked, confidence_alpha));
-}
-
-/// "binary64, segments"
-std::string population_of(const RelationRow& r) {
-  return std::string(name_of(r.format)) + ", " + probes_word(r.of_rays) + "s";
-}
-
-/// The rows of which anything was asked, broken ones or the others.
-std::vector<RelationRow> asked_relations(const Certificate& c, bool broken) {
-  std::vector<RelationRow> rows;
-  std::ranges::copy_if(c.relations, std::back_inserter(rows),
-                       [&](const RelationRow& r) { return r.asked > 0 && (r.broken > 0) == broken; });
-  return rows;
-}
-
-std::string broken_table(const Certificate& c) {
-  std::string text =
-      "| relation | what must hold | population | asked | broken | rate | 95 % bounds |\n"
-      "|---|---|---|---|---|---|---|\n";
-  for (const RelationRow& r : asked_relations(c, true)) {
-    text += "| " + r.name + " | " + r.statement + " | " + population_of(r) + " | " + std::to_string(r.asked) + " | " +
-            std::to_string(r.broken) + " | " + rate_of(r) + " | " + interval_of(r) + " |\n";
-  }
-  return text + "\n";
-}
-
-/// Those that held, one line each, with the number of instances of each population.
-std::string kept_list(const Certificate& c) {
-  std::map<std::string, std::string> lines;
-  for (const RelationRow& r : asked_relations(c, false)) {
-    std::string& line = lines[r.name];
-    line += (line.empty() ? r.statement + ": held in all of " : "; ") + std::to_string(r.asked) + " (" +
-            population_of(r) + ")";
-  }
-  std::string text;
-  for (const auto& [name, line] : lines) text += "- " + name + ": " + line + "\n";
-  return text + (lines.empty() ? "" : "\n");
-}
-
-std::string relations_section(const Certificate& c) {
-  return "## Relations\n\nWhat must hold between answers, whatever they are; no oracle is asked. Checked on the first "
-         "cases of each population below, and of triangles on the ray through each segment too. One relation broken "
-         "refutes; the queries that show it are in `certificate.json`, and one of their answers, shrunk, is among the "
-         "counterexamples. The bounds are one-sided, at 95 % each.\n\n" +
-         (c.broken_relations().empty() ? "" : broken_table(c)) + kept_list(c);
-}
-
-/// One line for each relation broken, with the populations in which it was.
-std::string broken_lines(const Certificate& c) {
-  std::string text, last;
-  for (const RelationRow& r : asked_relations(c, true)) {
-    const std::string counts =
-        population_of(r) + ": " + std::to_string(r.broken) + " of " + std::to_string(r.asked) + " (" + rate_of(r) + ")";
-    text += r.name == last ? "; " + counts : (last.empty() ? "" : "\n") + ("  BROKEN   " + r.name + ", " + counts);
-    last = r.name;
-  }
-  return text.empty() ? "" : text + "\n";
-}
-
-/// One line a population, and one for each relation broken.
-std::string relation_lines(const Certificate& c) {
-  std::map<std::string, std::pair<std::uint64_t, std::uint64_t>> totals;
-  for (const RelationRow& r : asked_relations(c, false)) totals[population_of(r)].first += r.asked;
-  for (const RelationRow& r : asked_relations(c, true)) {
-    auto& [asked, broken] = totals[population_of(r)];
-    asked += r.asked;
-    broken += r.broken;
-  }
-  std::string text;
-  for (const auto& [population, total] : totals) {
-    text += "  related  " + population + ": " + std::to_string(total.second) + " of " + std::to_string(total.first) +
-            " instances of relations broken\n";
-  }
-  return text + broken_lines(c);
-}
-
-std::string errors_row(const ErrorRow& e, const char* what, const Ulps& u) {
-  if (u.all() == 0) return "";
-  return "| " + e.family + " | " + std::string(name_of(e.format)) + " | " + what + " | " +
-         std::to_string(e.errors.hits) + " | " + in_words(u) + " |\n";
-}
-
-std::string errors_section(const Certificate& c) {
-  std::string text =
-      "## Errors of t and of the weights\n\nOf right hits of rays at one point, against the exact value, in units in "
-      "the last place of it in " +
-      std::string(name_of(c.contract.format)) +
-      ". How ill-conditioned the problem is, is not divided out. Of the sampled cases one in " +
-      std::to_string(measured_period) +
-      ", drawn by a hash.\n\n| family | cases | number | hits | errors |\n|---|---|---|---|---|\n";
-  for (const ErrorRow& e : c.errors) {
-    text += errors_row(e, "t", e.errors.t) + errors_row(e, "weights", e.errors.weights);
-  }
-  return text + "\n";
-}
-
-/// The errors of one number in all families of a format, and where the largest is.
-std::string errors_line(const Certificate& c, Format format, const char* what, Ulps HitErrors::*number) {
-  Ulps total;
-  std::string worst;
-  for (const ErrorRow& e : c.errors) {
-    if (e.format != format) continue;
-    const Ulps& u = e.errors.*number;
-    if (u.most > total.most) worst = "; the most in " + e.family;
-    total += u;
-  }
-  return total.all() == 0 ? ""
-                          : "  ulps     " + std::string(what) + ", " + std::string(name_of(format)) + ": " +
-                                in_words(total) + worst + "\n";
-}
-
-std::string errors_lines(const Certificate& c) {
-  std::string text;
-  for (const Format format : both_formats) {
-    text += errors_line(c, format, "t", &HitErrors::t) + errors_line(c, format, "weights", &HitErrors::weights);
-  }
-  return text;
-}
-
-std::string after_semicolon(const std::string& text) { return text.empty() ? "" : "; " + text; }
-
-/// "1 wrong of 12 (8.33 %); 3 outside the contract"
-std::string wrong_of(const Count& count) {
-  return std::to_string(count.wrong) + " wrong of " + std::to_string(count.judged()) + " (" + rate_of(count) + ")" +
-         (count.unsupported == 0 ? "" : "; " + std::to_string(count.unsupported) + " outside the contract");
-}
-
-/// The same, and what the wrong answers are.
-std::string with_breakdown(const Count& count) { return wrong_of(count) + after_semicolon(breakdown(count)); }
-
-Count total_of(const Certificate& c, std::size_t stream) {
-  Count total;
-  for (const Stratum& s : c.strata) {
-    if (s.stream == stream) total += s.count;
-  }
-  return total;
-}
-
 std::string own_section(const Certificate& c) {
   std::string text = "## Your own cases\n\nThey are themselves and no sample: no bound follows from them.\n\n";
   for (std::size_t i = 0; i < c.streams.size(); ++i) {
@@ -344,34 +157,6 @@ std::string own_section(const Certificate& c) {
             s.judged_by + "\n";
   }
   return text + "\nWhere it was wrong:\n\n" + worst_classes(c, true) + "\n";
-}
-
-/// One line a fault, each with this before it.
-std::string fault_lines(const Certificate& c, const std::string& before) {
-  std::string text;
-  for (const auto& [fault, n] : faults_in(c)) {
-    text += before + fault + ", in " + std::to_string(n) + " of the counterexamples\n";
-  }
-  return text;
-}
-
-std::string sampled_line(const Certificate& c, bool rays, Format format) {
-  const Count sampled = c.sampled(rays, format);
-  if (sampled.asked == 0) return "";
-  return std::string("  sampled  ") + (rays ? "rays, " : "segments, ") + std::string(name_of(format)) + ": " +
-         with_breakdown(sampled) + "; 95 % upper bound " +
-         percent(upper_bound(sampled.wrong, sampled.judged(), confidence_alpha)) + " on these populations\n";
-}
-
-/// Counts of the user's own mesh, which are part of those above. People take them for leaks.
-std::string mesh_lines(const Certificate& c) {
-  std::string text;
-  for (std::size_t i = 0; i < c.streams.size(); ++i) {
-    if (c.streams[i].family != mesh_family) continue;
-    text += "  mesh     " + std::string(name_of(c.streams[i].format)) + ": " + wrong_of(total_of(c, i)) +
-            ", each about one triangle of your mesh: no leak rate, which `tribunal leak` measures\n";
-  }
-  return text;
 }
 
 const char* coverage_word(const Certificate& c) { return c.coverage.has(Operands::polygons) ? "Polygons" : "Classes"; }
@@ -397,29 +182,6 @@ std::string to_markdown(const Certificate& c) {
   text += "## Environment\n\n" + environment_list(c);
   return text + "\nEvery number above follows from `log.jsonl` (sha256 of its chain: " + c.log_head +
          "); `tribunal verify` makes them again.\n";
-}
-
-std::string to_summary(const Certificate& c) {
-  std::string text = c.method() + ": " + name_of(c.verdict) + "; " + c.worst() + "\n";
-  for (const ProvedSet& s : c.proved) {
-    text += (s.count.wrong == 0 ? "  proved   " : "  refuted  ") + s.name + ": " + std::to_string(s.count.wrong) +
-            " wrong of " + std::to_string(s.count.judged()) + ", " + std::to_string(s.classes) + " " + classes_word(c) +
-            after_semicolon(breakdown(s.count)) + "\n";
-  }
-  for (const bool rays : {false, true}) {
-    for (const Format format : both_formats) text += sampled_line(c, rays, format);
-  }
-  text += mesh_lines(c);
-  for (const Format format : both_formats) {
-    const Count own = c.own(format);
-    if (own.asked > 0) text += "  own      " + std::string(name_of(format)) + ": " + with_breakdown(own) + "\n";
-  }
-  text += relation_lines(c) + errors_lines(c) + fault_lines(c, "  FAULT    ") + worst_line(c);
-  text += (c.coverage.has(Operands::polygons) ? "  judged   " : "  classes  ") + coverage_text(c) + "\n";
-  for (const Gap& g : c.gaps) {
-    if (!g.explained) text += "  HOLE     " + g.what + ": " + g.reason + "\n";
-  }
-  return text;
 }
 
 }  // namespace tribunal

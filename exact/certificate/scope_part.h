@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "exact/certificate/small_scope.h"
+#include "exact/trial/severity.h"
 
 namespace tribunal {
 

@@ -11,6 +11,7 @@
 #include "exact/record/contract_json.h"
 #include "exact/record/counterexample.h"
 #include "exact/relations/relation.h"
+#include "exact/trial/severity.h"
 
 namespace tribunal {
 namespace {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "exact/base/json_fwd.h"
+#include "exact/chart/makeup.h"
 #include "exact/chart/populations.h"
 #include "exact/chart/speed.h"
 #include "exact/chart/timing.h"
@@ -14,7 +15,7 @@ namespace tribunal {
 struct ChartPlan {
   std::vector<Method> methods;
   std::uint64_t seed = 1;
-  std::uint64_t cases = 50'000;  ///< how many are judged of each population and format
+  std::uint64_t cases = 65'200;  ///< of each population and format, judged and timed: 400 rounds of the 163 classes
   int repetitions = 31;
   unsigned threads = 1;  ///< for judging; time is taken on one thread
 };
@@ -26,47 +27,37 @@ inline constexpr std::uint64_t most_measured = 8'000;
 struct ChartRow {
   std::size_t method, population;
   Format format;
-  bool drawn;  ///< it stands for the method in the figure
+  bool own_format;  ///< the cases have the method's own format
   Count count;
   Timing time;
   HitErrors errors{};  ///< of its numbers, on rays through the segments of the first `most_measured` cases
-};
-
-/// One method at one value of the sweep's axis of mantissa fill: images of degenerate cases by maps with entries of
-/// `bits` bits.
-struct OnsetRow {
-  std::size_t method;
-  Format format;
-  bool drawn;
-  int bits;
-  Count count;
 };
 
 /// The cases of one population in one format.
 struct Panel {
   std::size_t population;
   Format format;
-  std::uint64_t cases = 0, hits = 0;
+  Makeup makeup{};
 };
 
 struct Chart {
   std::vector<Panel> panels;
   std::vector<ChartRow> rows;
-  std::vector<OnsetRow> onset;
   std::vector<SpeedRow> speed;
 };
 
 /// Counts are a function of methods, seed and cases; times are measured. Fails with 128 + signal if interrupted.
 Chart measure(const ChartPlan& plan);
 
-/// Every number that is drawn, and the environment.
+/// The part of chart.json that is about pairs, the methods with what a drawing needs to know of them, and the
+/// environment.
 Json to_json(const ChartPlan& plan, const Chart& chart);
 
 /// What the terminal shows.
 std::string to_table(const ChartPlan& plan, const Chart& chart);
 
-/// Writes exact/chart/plot.py and its figures to the directory, which holds chart.json. Fails with Exit::resources
-/// where there is no Python with matplotlib.
-void plot(const std::string& directory);
+/// Writes exact/chart/plot.py and the figures to the directory, which holds chart.json; nothing is measured. Returns
+/// the names of the figures, without endings. Fails as `draw_figures` does.
+std::vector<std::string> plot(const std::string& directory, const Json& record);
 
 }  // namespace tribunal

@@ -1,124 +1,139 @@
 #include <algorithm>
 #include <map>
 
-#include "exact/base/failure.h"
 #include "exact/base/interrupt.h"
 #include "exact/chart/chart.h"
 #include "exact/chart/errors.h"
+#include "exact/chart/pairs.h"
 #include "exact/classes/class_table.h"
-#include "exact/sweep/sweep.h"
+#include "exact/methods/methods.h"
 
 namespace tribunal {
 namespace {
 
-/// Cases timed, of those judged: a multiple of the 163 classes that fits a second-level cache.
-constexpr std::uint64_t most_timed_cases = class_count * 50;
-
-/// At each length of the entries: whole rounds of the classes of segments and rays.
-constexpr std::uint64_t onset_cases = all_class_count * 14;
-
-void end_if_interrupted() {
-  if (interrupted() != 0) throw Failure(static_cast<Exit>(128 + interrupted()), "interrupted; no chart written");
-}
-
-FuzzReport judged(const ChartPlan& plan, const std::vector<Stream>& streams, std::uint64_t cases_each,
-                  FuzzPlan& judging) {
-  judging = {.methods = plan.methods,
-             .streams = streams,
-             .seed = plan.seed,
-             .cases = cases_each * streams.size(),
-             .seconds = 0,
-             .threads = plan.threads};
-  FuzzReport report = fuzz(judging);
-  end_if_interrupted();
-  return report;
-}
-
 std::vector<Panel> panels_of(std::span<const Population> populations) {
   std::vector<Panel> panels;
   for (std::size_t p = 0; p < populations.size(); ++p) {
-    for (const Format format : populations[p].formats) panels.push_back({p, format});
+    for (const Format format : {Format::binary32, Format::binary64}) panels.push_back({p, format});
   }
   return panels;
 }
 
-std::vector<SegmentPair> timed_pairs(const Family& family, Format format, const ChartPlan& plan) {
-  std::vector<SegmentPair> pairs;
-  for (std::uint64_t k = 0; k < std::min(plan.cases, most_timed_cases); ++k) {
-    const Query query = family.make(format, plan.seed, k).query;
-    pairs.push_back({std::get<Segment>(query.probe), query.triangle()});
+// --- accuracy -------------------------------------------------------------------------------------------------------
+
+using PanelCounts = std::map<std::pair<std::size_t, std::size_t>, Count>;  ///< by panel and index of the method
+
+/// Judges all panels with these operands, and those methods that take them.
+void judge_panels(const ChartPlan& plan, const std::vector<Panel>& panels, Operands operands, PanelCounts& counts) {
+  std::vector<std::size_t> asked, at;
+  FuzzPlan judging{.methods = {}, .streams = {}, .seed = plan.seed, .threads = plan.threads, .label = "chart"};
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    const Population& population = all_populations()[panels[i].population];
+    if (population.family.operands != operands) continue;
+    judging.streams.push_back({&population.family, panels[i].format});
+    at.push_back(i);
   }
+  const Population& any = all_populations()[panels[at.front()].population];
+  for (std::size_t m = 0; m < plan.methods.size(); ++m) {
+    if (!takes(plan.methods[m], any)) continue;
+    judging.methods.push_back(plan.methods[m]);
+    asked.push_back(m);
+  }
+  if (asked.empty()) return;
+  judging.cases = plan.cases * judging.streams.size();
+  const FuzzReport report = fuzz(judging);
+  fail_if_interrupted("no chart written");
+  report.counts.for_each([&](const Cell& c, const Count& count) { counts[{at[c.stream], asked[c.method]}] += count; });
+}
+
+// --- time -----------------------------------------------------------------------------------------------------------
+
+/// The cases of a panel, kept for as long as they are timed.
+std::vector<Query> queries_of(const Panel& panel, const ChartPlan& plan) {
+  std::vector<Query> queries;
+  for (std::uint64_t k = 0; k < plan.cases; ++k) {
+    queries.push_back(all_populations()[panel.population].family.make(panel.format, plan.seed, k).query);
+  }
+  return queries;
+}
+
+std::vector<SegmentPair> pairs_of(const std::vector<Query>& queries) {
+  std::vector<SegmentPair> pairs;
+  for (const Query& q : queries) pairs.push_back({std::get<Segment>(q.probe), q.triangle()});
   return pairs;
 }
 
-/// The rows of one panel, their counts still empty.
+/// Polygons are prepared before the clock runs, as whoever asks about them more than once does.
+TimedTest polygon_test(const Method& method, const std::vector<Query>& queries) {
+  return [&method, &queries](std::size_t first, std::size_t count) -> NativeRun {
+    std::vector<PreparedPolygon> prepared;
+    for (std::size_t i = 0; i < count; ++i) prepared.push_back(method.polygon(queries[first + i].polygon()));
+    return [prepared, &queries, first](std::span<std::uint8_t> hits, std::size_t step) {
+      visit_by_steps(hits.size(), step, [&](std::size_t i) {
+        const Probe& probe = queries[first + i].probe;
+        const Segment* const s = std::get_if<Segment>(&probe);
+        hits[i] = s != nullptr ? prepared[i].segment(*s).hit : prepared[i].ray(std::get<Ray>(probe)).hit;
+      });
+    };
+  };
+}
+
+/// The tests of a panel, the yardstick first.
+std::vector<TimedTest> tests_of(const std::vector<Method>& methods, const std::vector<std::size_t>& asked,
+                                const std::vector<Query>& queries, const std::vector<SegmentPair>& pairs) {
+  std::vector<TimedTest> tests{timed_test(single_loop(yardstick_method()), pairs)};
+  for (const std::size_t m : asked) {
+    const bool of_polygons = queries.front().operands() == Operands::polygons;
+    tests.push_back(of_polygons ? polygon_test(methods[m], queries) : timed_test(single_loop(methods[m]), pairs));
+  }
+  return tests;
+}
+
+/// The rows of one panel, their counts still empty. The yardstick's loop runs beside, on the same triangles, or, where
+/// these are polygons, on random ones.
 std::vector<ChartRow> timed_rows(const ChartPlan& plan, const Panel& panel) {
   const Population& population = all_populations()[panel.population];
+  std::vector<std::size_t> asked;
   std::vector<ChartRow> rows;
-  std::vector<NativeLoop> loops;
   for (std::size_t m = 0; m < plan.methods.size(); ++m) {
     const Method& method = plan.methods[m];
-    if (!takes(method, panel.format)) continue;
-    loops.push_back(single_loop(method));
-    rows.push_back({m, panel.population, panel.format, drawn_format(population, method) == panel.format, {}, {}});
+    if (!takes(method, panel.format) || !takes(method, population)) continue;
+    asked.push_back(m);
+    rows.push_back({m, panel.population, panel.format, method.contract.format == panel.format, {}, {}});
   }
-  const std::vector<SegmentPair> pairs = timed_pairs(population.family, panel.format, plan);
-  const std::vector<Timing> times = time_loops(loops, pairs, class_count, plan.repetitions);
-  for (std::size_t i = 0; i < rows.size(); ++i) rows[i].time = times[i];
+  if (rows.empty()) return rows;
+  const std::vector<Query> queries = queries_of(panel, plan);
+  const std::vector<SegmentPair> pairs = population.of_polygons() ? random_pairs(queries.size(), 7) : pairs_of(queries);
+  const std::vector<Timing> times =
+      time_stretches(tests_of(plan.methods, asked, queries, pairs),
+                     {.cases = pairs.size(), .round = class_count, .repetitions = plan.repetitions, .yardstick = 0});
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i].time = times[i + 1];
   return rows;
 }
 
-/// Counts the hits of a stream, in the closed reading. All methods of a stream see the same cases, so one is enough.
-void count_hits(Panel& panel, std::size_t stream, std::size_t method, const FuzzReport& report) {
-  report.counts.for_each([&](const Cell& cell, const Count& count) {
-    if (cell.stream != stream || cell.method != method) return;
-    panel.cases += count.asked;
-    if (class_row(static_cast<ClassId>(cell.slot)).hit()) panel.hits += count.asked;
-  });
-}
-
-void measure_populations(const ChartPlan& plan, Chart& chart) {
-  const std::span<const Population> populations = all_populations();
-  chart.panels = panels_of(populations);
-  std::vector<Stream> streams;
-  for (const Panel& panel : chart.panels) streams.push_back({&populations[panel.population].family, panel.format});
-  FuzzPlan judging;
-  const FuzzReport report = judged(plan, streams, plan.cases, judging);
-  std::map<std::pair<std::size_t, std::size_t>, Count> totals;
-  report.counts.for_each([&](const Cell& c, const Count& count) { totals[{c.stream, c.method}] += count; });
-  for (std::size_t s = 0; s < chart.panels.size(); ++s) {
-    std::vector<ChartRow> rows = timed_rows(plan, chart.panels[s]);
-    end_if_interrupted();
-    const Panel& panel = chart.panels[s];
-    const std::vector<HitErrors> errors = errors_on(populations[panel.population], panel.format, plan.seed,
-                                                    std::min(plan.cases, most_measured), plan.methods);
-    for (ChartRow& row : rows) {
-      row.count = totals[{s, row.method}];
-      row.errors = errors[row.method];
-    }
-    if (!rows.empty()) count_hits(chart.panels[s], s, rows.front().method, report);
-    chart.rows.insert(chart.rows.end(), rows.begin(), rows.end());
-  }
-}
-
-/// The segments of the sweep along the axis of mantissa fill.
-void measure_onset(const ChartPlan& plan, Chart& chart) {
-  static const StressAxis fill = fill_axis();
-  const SweepPlan sweeping{
-      .methods = plan.methods, .axes = {&fill}, .seed = plan.seed, .cases = onset_cases, .threads = plan.threads};
-  for (const auto& [place, c] : sweep(sweeping).counts) {
-    if (place.probe != ProbeKind::segment) continue;
-    const bool drawn = plan.methods[place.method].contract.format == place.format;
-    chart.onset.push_back({place.method, place.format, drawn, place.value, c.count});
-  }
+void add_errors(const ChartPlan& plan, const Panel& panel, std::vector<ChartRow>& rows) {
+  const Population& population = all_populations()[panel.population];
+  if (population.figure != Figure::main) return;
+  const std::vector<HitErrors> errors =
+      errors_on(population, panel.format, plan.seed, std::min(plan.cases, most_measured), plan.methods);
+  for (ChartRow& row : rows) row.errors = errors[row.method];
 }
 
 }  // namespace
 
 Chart measure(const ChartPlan& plan) {
   Chart chart;
-  measure_populations(plan, chart);
-  measure_onset(plan, chart);
+  chart.panels = panels_of(all_populations());
+  PanelCounts counts;
+  for (const Operands o : {Operands::triangles, Operands::polygons}) judge_panels(plan, chart.panels, o, counts);
+  for (std::size_t i = 0; i < chart.panels.size(); ++i) {
+    Panel& panel = chart.panels[i];
+    panel.makeup = makeup_of(all_populations()[panel.population], panel.format, plan.seed, plan.cases, plan.threads);
+    std::vector<ChartRow> rows = timed_rows(plan, panel);
+    add_errors(plan, panel, rows);
+    for (ChartRow& row : rows) row.count = counts[{i, row.method}];
+    chart.rows.insert(chart.rows.end(), rows.begin(), rows.end());
+  }
   chart.speed = measure_speed(plan.methods, plan.repetitions);
   return chart;
 }

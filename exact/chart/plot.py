@@ -1,298 +1,294 @@
 #!/usr/bin/env python3
 """Draws what `tribunal chart` measured: python3 plot.py chart.json OUTDIR
 
-speed-accuracy  share of wrong answers against time per test, a panel for each population of cases
-onset           share of wrong answers against the mantissa fill of exactly degenerate cases
-speed           time per test by the share of hits, a line of marks for each method and way to call it
+speed-accuracy           share of wrong answers against time, a panel for each population and format
+speed-accuracy-shares    the same on random pairs by the share of hits
+speed-accuracy-polygons  the same of polygons
+pictures                 share of wrong pixels against rays a second
+leaks                    leaks per million rays against time
+speed                    time per test by the share of hits, a line of marks for each method and way to call it
 
-A method that was never wrong is not drawn at zero, which a log axis does not have and a sample cannot show, but at the
-upper 95 % confidence bound on its share: hollow, with an arrow that points down.
+Everything is read from the record; a mark's shape and fill come from what the record says of its method. Figures are as
+wide as a paper's column. A method that was never wrong stands in a band of its own below the axis, which has no zero.
 """
 import json
-import math
 import os
 import sys
 
+sys.dont_write_bytecode = True
 try:
-    import matplotlib
-except ImportError:
-    sys.exit("plot.py: no module matplotlib (Debian: python3-matplotlib)")
+    from plot_marks import (FAINT, FORMATS, INK, PALE, SMALL, WIDTH, Line2D, Methods, Scale, decades, draw_panel, dress_x,
+                            percent, whole)
+    from plot_sheet import GAP, LINE, RIGHT, Grid, Key, Sheet, machine, shortened, width_of, wrapped
+except ModuleNotFoundError as missing:
+    sys.exit(f"plot.py: no module {missing.name} (Debian: python3-matplotlib)")
 
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
-from matplotlib.lines import Line2D
-from matplotlib.ticker import FuncFormatter, NullFormatter
+# --- share of wrong answers against time ---------------------------------------------------------------------------
 
-# Okabe and Ito's colours, which stay apart for colour-blind eyes; one for each family of methods.
-COLOURS = {"sf": "#0072B2", "mt": "#D55E00", "cgal": "#009E73", "woop": "#CC79A7", "badouel": "#E69F00",
-           "pluecker": "#56B4E9", "jimenez": "#7A5195", "baldwin": "#8C6D1F", "haines": "#A6761D", "feito": "#666666"}
-INK, FAINT = "#222222", "#8A8A8A"
-
-plt.rcParams.update({
-    "svg.hashsalt": "tribunal", "svg.fonttype": "path", "font.family": "DejaVu Sans", "font.size": 9.5,
-    "axes.edgecolor": FAINT, "axes.labelcolor": INK, "text.color": INK, "xtick.color": INK, "ytick.color": INK,
-    "axes.spines.top": False, "axes.spines.right": False, "axes.axisbelow": True, "axes.grid": True,
-    "grid.color": "#E6E6E6", "grid.linewidth": 0.6, "axes.titlelocation": "left", "axes.titlesize": 11,
-    "axes.titleweight": "bold"})
+def interval(median):
+    return {"x": median["median"], "left": median.get("lower", median["median"]),
+            "right": median.get("upper", median["median"])}
 
 
-def colour_of(method):
-    return COLOURS.get(method.split("-")[0], INK)
+def row_of(r):
+    a = r["answers"]
+    return {"method": r["method"], **interval(r["nanoseconds"]["ratio"]), "wrong": a["wrong"], "n": a["judged"],
+            "share": a["share"], "lower": a["lower"], "upper": a["upper"]}
 
 
-def marker_of(method):
-    endings = {"float": "^", "double": "o", "eps": "D"}
-    return endings.get(method.split("-")[-1], "s")
+def share_text(part, of):
+    return "none" if part == 0 else f"{100 * part / of:.1f} %" if part * 1000 > of else "< 0.1 %"
+
+
+def makeup_note(panels):
+    """One population, in either format."""
+    def shares(of):
+        texts = [share_text(of(p), p["cases"]) for p in panels]
+        return texts[0] if len(set(texts)) == 1 else " / ".join(texts)
+
+    note = f"{panels[0]['title']}: {panels[0]['about']}; hits {shares(lambda p: p['hits'])}"
+    for what, of in (("with a subnormal coordinate", lambda p: p["subnormal"]),
+                     ("past all integers of fixed width", lambda p: p["by_stage"]["exact"])):
+        note += f", {shares(of)} {what}"
+    return note + "."
+
+
+def numbers_text(numbers):
+    return ", ".join(str(n) for n in sorted(numbers))
+
+
+def unjudged_notes(record, methods, panels):
+    """Who has no mark in a panel, and who was judged on fewer cases than the others."""
+    none, fewer = {}, {}
+    for panel in panels:
+        own = {r["method"]: r["answers"] for r in record["rows"]
+               if (r["population"], r["fmt"]) == (panel["population"], panel["fmt"])}
+        missing = tuple(sorted(methods.number[m] for m in methods.by_name if m not in own or not own[m]["judged"]))
+        usual = max((a["judged"] for a in own.values()), default=0)
+        if missing:
+            none.setdefault(missing, []).append(panel)
+        for m, a in own.items():
+            if 0 < a["judged"] < usual:
+                fewer.setdefault((panel["title"], methods.number[m]), []).append(whole(a["judged"]))
+    notes = []
+    for missing, where in none.items():
+        titles = [f"{p['title']}, {p['fmt']}" for p in where]
+        fmt = where[0]["fmt"]
+        if where == [p for p in panels if p["fmt"] == fmt]:
+            titles = [f"all panels of {fmt} cases"]
+        if len(where) == len(panels):
+            titles = ["all panels"]
+        names = ", ".join(f"{n} {shortened(name)}" for name, n in methods.number.items() if n in missing)
+        notes.append(f"Nothing to judge, so no mark, in {'; '.join(titles)}: {names}.")
+    parts = [f"{title}: {number} on {' / '.join(dict.fromkeys(counts))}" for (title, number), counts in fewer.items()]
+    if parts:
+        notes.append("* judged on fewer cases, the rest being outside the contract: " + "; ".join(parts) + ".")
+    return notes
+
+
+def bars_note(repetitions):
+    time = (f"of time for the median over {repetitions} repetitions, by ranks" if repetitions >= 6
+            else "of time none, for want of repetitions")
+    return (f"Bars are 95 % intervals both ways: of shares by Clopper and Pearson, {time}. Dashed: the frontier, than "
+            "which nothing is both quicker and less often wrong. In the grey band nothing was wrong; heights in it mean "
+            "nothing.")
+
+
+def bound_note(n):
+    return f"None of {whole(n)} leaves at most {100 * (1 - 0.05 ** (1 / n)):.2g} % (95 %, one-sided)." if n else ""
+
+
+def speed_accuracy(record, figure, title, out):
+    methods = Methods(record)
+    panels = [p for p in record["panels"] if p["figure"] == figure and p["cases"]]
+    keys = list(dict.fromkeys(p["population"] for p in panels))
+    rows = {(p["population"], p["fmt"]): [] for p in panels}
+    for r in record["rows"]:
+        if (r["population"], r["fmt"]) in rows:
+            rows[r["population"], r["fmt"]].append(row_of(r))
+    drawn = [r for own in rows.values() for r in own if r["n"]]
+    if not drawn:
+        return
+    taking = [m for m in methods.by_name if any(r["method"] == m for r in drawn)]
+    if figure == "polygons":  # those that take none are no news
+        methods.by_name = {m: methods.by_name[m] for m in taking}
+    repetitions = max(r["nanoseconds"]["repetitions"] for r in record["rows"])
+    unit = f"1 = {record['yardstick']} in the same run" + (", on random triangles; polygons are prepared."
+                                                         if figure == "polygons" else ", on the same pairs.")
+    notes = [bars_note(repetitions), f"Time: {unit} Each repetition took other pairs.",
+             bound_note(max(r["n"] for r in drawn))]
+    notes += unjudged_notes(record, methods, panels)
+    if figure != "shares":
+        notes += [makeup_note([p for p in panels if p["population"] == key]) for key in keys]
+        notes.append("Where two figures stand, they are of binary32 / binary64 cases.")
+    if figure == "shares":
+        notes.append(f"{panels[0]['about'][0].upper()}{panels[0]['about'][1:]}, dealt to have these shares of hits.")
+    key = Key(methods, taking, notes + [machine(record)])
+    grid = Grid(title, len(keys), key)
+    scale, placed = Scale(drawn), []
+    dress_x(grid.axes, drawn, lambda t: f"{t:g}×", 1)
+    for r, name in enumerate(keys):
+        grid.label_row(r, next(p["title"] for p in panels if p["population"] == name))
+        for ax, fmt in zip(grid.axes[r], FORMATS):
+            placed.append((ax, draw_panel(ax, rows.get((name, fmt), []), methods, scale)))
+    grid.label_y("share of wrong answers")
+    grid.label_x(f"time per test, as a multiple of {record['yardstick']}'s")
+    grid.save(placed, out)
+
+
+# --- pictures and leaks --------------------------------------------------------------------------------------------
+
+def two_panels(record, rows, title, ylabel, xlabel, name_x, notes, out, name_y=percent, better_left=True, unit=None):
+    """One panel a format."""
+    methods = Methods(record)
+    drawn = [r for own in rows.values() for r in own if r["n"]]
+    if not drawn:
+        return
+    names = [m for m in methods.by_name if any(r["method"] == m for r in drawn)]
+    for fmt in FORMATS:
+        missing = [m for m in methods.by_name if all(r["method"] != m for r in rows[fmt])]
+        if missing:
+            notes.append(f"Nothing to judge, so no mark, in {fmt}: "
+                         + ", ".join(f"{methods.number[m]} {shortened(m)}" for m in missing) + ".")
+    grid = Grid(title, 1, Key(methods, names, notes + [machine(record)]))
+    scale = Scale(drawn, name_y)
+    dress_x(grid.axes, drawn, name_x, unit)
+    placed = [(ax, draw_panel(ax, rows[fmt], methods, scale, better_left)) for ax, fmt in zip(grid.axes[0], FORMATS)]
+    grid.label_y(ylabel)
+    grid.label_x(xlabel)
+    grid.save(placed, out)
+
+
+def big(x):
+    return f"{x / 1e6:g} M" if x >= 1e6 else f"{x / 1e3:g} k" if x >= 1e3 else f"{x:g}"
+
+
+def pictures(record, out):
+    part = record.get("pictures", {"rows": []})
+    rows = {fmt: [{**r, **interval(r["rays_per_second"]), "n": r["pixels"]} for r in part["rows"] if r["fmt"] == fmt]
+            for fmt in FORMATS}
+    if not part["rows"]:
+        return
+    once = sorted({r["method"] for r in part["rows"] if "lower" not in r["rays_per_second"]})
+    numbers = Methods(record).number
+    starts = max(r["other_start"] for r in part["rows"])
+    notes = [bars_note(max(r["repetitions"] for r in part["rows"])),
+             f"{len(part['scenes'])} scenes: {', '.join(os.path.splitext(s)[0] for s in part['scenes'])}; all faces as "
+             f"triangles, {whole(part['rows'][0]['pixels'])} pixels a method and format, rays of all kinds counted, one "
+             "thread, shading included.",
+             "A pixel is wrong if, at the first ray on which method and exact reference part, the method answers wrongly "
+             "by its own contract, or takes hits in the wrong order. Not counted: pixels that part only because a "
+             f"secondary ray starts elsewhere (at most {whole(starts)} of a method), or where the contract owes nothing.",
+             f"Drawn without a bar of time, being slow, timed once or too seldom: {numbers_text(numbers[m] for m in once)}."
+             if once else ""]
+    two_panels(record, rows, "Wrong pixels against rays a second", "share of wrong pixels", "rays a second", big, notes,
+               out, better_left=False)
+
+
+def leaks(record, out):
+    part = record.get("leaks", {"rows": []})
+    time = {r["method"]: r["nanoseconds"]["ratio"] for r in record["speed"]
+            if r["probe"] == "ray" and r["call"] == "single" and r["percent_hits"] == 7 and not r.get("nothing")}
+    rows = {fmt: [{**r, **interval(time[r["method"]]), "n": r["rays"], "wrong": r["leaks"]} for r in part["rows"]
+                  if r["fmt"] == fmt and r["method"] in time] for fmt in FORMATS}
+    if not part["rows"]:
+        return
+    n = max(r["rays"] for r in part["rows"])
+    repetitions = max(r["nanoseconds"]["repetitions"] for r in record["speed"])
+    notes = [bars_note(repetitions),
+             f"{part['mesh']}, {whole(n)} rays of each format at its vertices, edges and faces. A ray leaks if it passes "
+             "through the surface, and no face is reported there.",
+             f"Time: of random rays and triangles, 7 % hits, in binary64; 1 = {record['yardstick']} in the same run.",
+             f"None of {whole(n)} leaves at most {1e6 * (1 - 0.05 ** (1 / n)):.2g} per million (95 %, one-sided)."]
+    two_panels(record, rows, "Leaks against time", "leaks per million rays",
+               f"time per test of a ray, as a multiple of {record['yardstick']}'s", lambda t: f"{t:g}×", notes, out,
+               name_y=lambda share: big(1e6 * share), unit=1)
+
+
+# --- time by the share of hits -------------------------------------------------------------------------------------
+
+HIT_MARKS = {0: ("o", "white"), 7: ("s", "#222222"), 50: ("^", "#9A9A9A"), 100: ("D", "white")}
 
 
 def nanoseconds(x):
     return f"{x:g} ns" if x < 1000 else f"{x / 1000:g} µs"
 
 
-def percent_axis(ax, floor):
-    """Ticks at powers of ten, down to where something is drawn."""
-    ax.set_yticks([10.0 ** e for e in range(math.floor(math.log10(floor)), 1)])
-    ax.set_yticks([], minor=True)
-    ax.yaxis.set_major_formatter(FuncFormatter(lambda y, _: f"{100 * y:g} %"))
-
-
-def draw_point(ax, x, answers, method, size=6.5):
-    """Filled with its confidence interval, or hollow at the bound with an arrow down."""
-    colour, bound = colour_of(method), answers["bound"]
-    if bound:
-        ax.annotate("", (x, answers["drawn"]), (0, -17), textcoords="offset points",
-                    arrowprops={"arrowstyle": "<|-", "color": colour, "lw": 1.1, "shrinkA": 0, "shrinkB": 4})
-    else:
-        ax.plot([x, x], [answers["lower"], answers["upper"]], color=colour, lw=1.6)
-    ax.plot([x], [answers["drawn"]], marker_of(method), ms=size, mec=colour, mew=1.5, mfc="white" if bound else colour,
-            zorder=3)
-
-
-def spread(places, gap):
-    """Places pushed apart, keeping their order, until neighbours are `gap` from each other."""
-    order = sorted(range(len(places)), key=lambda i: places[i])
-    apart = list(places)
-    for _ in range(300):
-        for a, b in zip(order, order[1:]):
-            short = gap - (apart[b] - apart[a])
-            if short > 1e-9:
-                apart[a] -= short / 2
-                apart[b] += short / 2
-    return apart
-
-
-def label(ax, text, point, place, method, tie=(0, 0.5), **alignment):
-    """A name at a place given in fractions of the axes, tied to its point by a thin line."""
-    ax.annotate(text, point, place, textcoords="axes fraction", fontsize=8.5, color=colour_of(method), **alignment,
-                arrowprops={"arrowstyle": "-", "color": colour_of(method), "lw": 0.5, "shrinkA": 1, "shrinkB": 6,
-                            "relpos": tie})
-
-
-def label_points(ax, rows):
-    """Names of the wrong in a column to their right, names of the never wrong in a row below."""
-    to_axes = ax.transData + ax.transAxes.inverted()
-    where = [to_axes.transform((r["nanoseconds"]["median"], r["answers"]["drawn"])) for r in rows]
-    for bound in (False, True):
-        own = [i for i, r in enumerate(rows) if r["answers"]["bound"] == bound]
-        places = spread([where[i][0 if bound else 1] for i in own], 0.046 if bound else 0.04)
-        inset = max(0, 0.025 - min(places, default=1)) if bound else 0
-        ends = [to_axes.transform((rows[i]["nanoseconds"]["upper_quartile"], 1))[0] for i in own]
-        column = max(ends, default=0) + 0.06
-        for i, place in zip(own, places):
-            r = rows[i]
-            point = (r["nanoseconds"]["median"], r["answers"]["drawn"])
-            if bound:
-                label(ax, r["method"], point, (place + inset, 0.24), r["method"], (0.5, 1), rotation=90,
-                      ha="center", va="top")
-            else:
-                label(ax, r["method"], point, (column, place), r["method"], ha="left", va="center")
-
-
-def caption(panels, rows):
-    """Cases and hits of a panel, and what some methods were not judged on."""
-    hits = ", ".join(f"{100 * p['hits'] / p['cases']:.1f} % hits in {p['fmt']}" for p in panels)
-    cases = f"{max(p['cases'] for p in panels):,} cases" + (" each" if len(panels) > 1 else "")
-    unjudged = {}
-    for r in rows:
-        if r["answers"]["unsupported"]:
-            share = f"{100 * r['answers']['unsupported'] / r['answers']['asked']:.0f} %"
-            unjudged.setdefault(share, []).append(r["method"])
-    notes = [f"{', '.join(methods)}: {share} outside the contract, judged on the rest" for share, methods in unjudged.items()]
-    return "\n".join([hits + "; " + cases] + notes)
-
-
-def speed_accuracy(chart):
-    keys = list(dict.fromkeys(p["population"] for p in chart["panels"]))
-    rows = [r for r in chart["rows"] if r["drawn"] and r["answers"]["judged"]]
-    figure, axes = plt.subplots(1, len(keys), figsize=(4.2 * len(keys), 6.4), sharex=True, sharey=True)
-    figure.subplots_adjust(left=0.078, right=0.985, top=0.73, bottom=0.165, wspace=0.07)
-    floor = min(r["answers"]["drawn"] for r in rows)
-    times = [r["nanoseconds"] for r in rows]
-    for ax, key in zip(axes, keys):
-        ax.set(xscale="log", yscale="log", xlim=(min(t["lower_quartile"] for t in times) / 2,
-                                                 max(t["upper_quartile"] for t in times) * 2.5),
-               ylim=(floor / 600, 1.3), xlabel="time per test (median; bar: quartiles)")
-        ax.xaxis.set_major_formatter(FuncFormatter(lambda x, _: nanoseconds(x)))
-        ax.xaxis.set_minor_formatter(NullFormatter())
-        percent_axis(ax, floor)
-        own = [r for r in rows if r["population"] == key]
-        for r in own:
-            t = r["nanoseconds"]
-            ax.plot([t["lower_quartile"], t["upper_quartile"]], [r["answers"]["drawn"]] * 2,
-                    color=colour_of(r["method"]), lw=1.6)
-            draw_point(ax, t["median"], r["answers"], r["method"])
-        panels = [p for p in chart["panels"] if p["population"] == key and p["cases"]]
-        ax.set_title(panels[0]["title"], pad=54)
-        ax.text(0, 1.15, panels[0]["about"] + "\n" + caption(panels, own), transform=ax.transAxes, fontsize=8,
-                color="#555555", va="top", linespacing=1.4)
-    figure.canvas.draw()
-    for ax, key in zip(axes, keys):
-        label_points(ax, [r for r in rows if r["population"] == key])
-    axes[0].set_ylabel("share of wrong answers")
-    figure.suptitle("What being right costs: wrong answers against time per test", x=0.078, y=0.975, ha="left",
-                    fontsize=14, fontweight="bold")
-    figure.text(0.078, 0.912, "General position: binary32 cases for every method. Elsewhere binary32 methods have "
-                "binary32 cases, all others binary64 cases.", fontsize=9, color="#555555", va="bottom")
-    legend(figure)
-    return figure
-
-
-def legend(figure):
-    def key(marker, filled, text):
-        return Line2D([], [], ls="", marker=marker, ms=6.5, mec=INK, mew=1.4, mfc=INK if filled else "white",
-                      label=text)
-
-    handles = [key("^", True, "binary32"), key("o", True, "binary64"), key("D", True, "binary64 with a tolerance"),
-               key("s", True, "exact arithmetic"),
-               Line2D([], [], color=INK, lw=1.6, label="95 % confidence interval"),
-               key("s", False, "hollow with ▼: 0 wrong, drawn at the 95 % upper bound")]
-    figure.legend(handles=handles, loc="lower left", bbox_to_anchor=(0.055, 0.005), ncol=len(handles), frameon=False,
-                  fontsize=8.5, handletextpad=0.4, columnspacing=1.3)
-
-
-def grouped(rows):
-    """Curves that coincide share a line: {curve: methods}."""
-    curves = {}
-    for method in dict.fromkeys(r["method"] for r in rows):
-        own = sorted((r for r in rows if r["method"] == method), key=lambda r: r["bits"])
-        curve = tuple((r["bits"], r["answers"]["drawn"], r["answers"]["bound"]) for r in own)
-        curves.setdefault(curve, []).append(method)
-    return curves
-
-
-def label_lines(ax, curves):
-    """Names at the right end of each line, pushed apart, tied to it by a thin line."""
-    ends = [(curve[-1], methods) for curve, methods in curves.items()]
-    to_axes = ax.transData + ax.transAxes.inverted()
-    heights = [to_axes.transform((bits, share))[1] for (bits, share, _), _ in ends]
-    gap = 0.042 * (1 + max((len(m) for m in curves.values()), default=0) // 4)
-    for ((bits, share, _), methods), height in zip(ends, spread(heights, gap)):
-        lines = [", ".join(methods[i:i + 3]) for i in range(0, len(methods), 3)]
-        label(ax, ",\n".join(lines), (bits, share), (1.03, height), methods[0], va="center")
-
-
-def onset(chart):
-    rows = [r for r in chart["onset"] if r["drawn"] and r["answers"]["judged"]]
-    formats = [f for f in ("binary32", "binary64") if any(r["fmt"] == f for r in rows)]
-    figure, axes = plt.subplots(1, len(formats), figsize=(12.5, 5.6), sharey=True, squeeze=False,
-                                gridspec_kw={"width_ratios": [1, 1.7][-len(formats):], "wspace": 0.28})
-    figure.subplots_adjust(left=0.075, right=0.83, top=0.79, bottom=0.2)
-    floor = min(r["answers"]["drawn"] for r in rows)
-    for ax, fmt in zip(axes[0], formats):
-        own = [r for r in rows if r["fmt"] == fmt]
-        ax.set(yscale="log", ylim=(floor / 3, 1), xlabel="bits of the map's entries")
-        bits = sorted({r["bits"] for r in own})
-        apart = bits[-1] / (16 if bits[-1] > 30 else 11)
-        ticks = [bits[0]]
-        for b in bits:
-            if b - ticks[-1] >= apart:
-                ticks.append(b)
-        ax.set_xticks(ticks)
-        percent_axis(ax, floor)
-        curves = grouped(own)
-        for curve, methods in curves.items():
-            for (b0, s0, zero0), (b1, s1, zero1) in zip(curve, curve[1:]):
-                ax.plot([b0, b1], [s0, s1], color=colour_of(methods[0]), lw=1.4, ls=":" if zero0 or zero1 else "-")
-            for r in (r for r in own if r["method"] == methods[0]):
-                draw_point(ax, r["bits"], r["answers"], methods[0], 5.5)
-        ax.set_title(f"{fmt} methods on {fmt} cases" if len(formats) > 1 else f"{fmt} cases", pad=24)
-        ax.text(0, 1.02, f"{min(r['answers']['asked'] for r in own):,} cases a level", transform=ax.transAxes,
-                fontsize=8.5, color="#555555", va="bottom")
-    figure.canvas.draw()
-    for ax, fmt in zip(axes[0], formats):
-        label_lines(ax, grouped([r for r in rows if r["fmt"] == fmt]))
-    axes[0][0].set_ylabel("share of wrong answers")
-    figure.suptitle("Where floating point begins to fail: exactly degenerate cases, by mantissa fill", x=0.075, y=0.965,
-                    ha="left", fontsize=14, fontweight="bold")
-    legend(figure)
-    return figure
-
-
-HIT_MARKS = {0: ("o", "#56B4E9"), 7: ("s", "#0072B2"), 50: ("^", "#E69F00"), 100: ("D", "#D55E00")}
-
-
-def draw_speed(ax, order, lines, set_up):
+def draw_lines(ax, order, lines):
     for y, key in enumerate(order):
         spans = lines.get(key)
+        if y % 2:
+            ax.axhspan(y - 0.5, y + 0.5, color="#F4F4F4", lw=0, zorder=0)
         if not spans:
-            ax.text(0.5, y, "takes no rays", transform=ax.get_yaxis_transform(), fontsize=8, va="center", ha="center",
-                    color="#8A8A8A")
+            ax.text(0.5, y, "not taken", transform=ax.get_yaxis_transform(), va="center", ha="center", color=FAINT)
             continue
-        ax.plot([min(t["median"] for t in spans.values()), max(t["median"] for t in spans.values())], [y, y],
-                color="#C8C8C8", lw=1.2, zorder=1)
-        for percent, t in spans.items():
-            marker, colour = HIT_MARKS[percent]
-            ax.plot([t["lower_quartile"], t["upper_quartile"]], [y, y], color=colour, lw=2.2, zorder=2)
-            ax.plot([t["median"]], [y], marker, ms=5, color=colour, zorder=3)
-        if key[1] == "prepared" and key[0] in set_up:
-            ax.text(1.015, y, f"{set_up[key[0]]:.0f} ns a triangle", transform=ax.get_yaxis_transform(), fontsize=8,
-                    va="center", color="#555555")
+        middles = [t["median"] for t in spans.values()]
+        ax.plot([min(middles), max(middles)], [y, y], color="#B0B0B0", lw=0.6, zorder=1)
+        for hits, t in spans.items():
+            shape, fill = HIT_MARKS[hits]
+            ax.plot([t["lower_quartile"], t["upper_quartile"]], [y, y], color=INK, lw=0.7, zorder=2)
+            ax.plot([t["median"]], [y], shape, ms=3, mfc=fill, mec=INK, mew=0.6, zorder=3)
 
 
-def speed(chart):
+def speed(record, out):
     """Segments beside rays; the quickest about segments at 7 % hits on top, tests that do nothing below all."""
-    set_up = {r["method"]: r["nanoseconds"]["median"] for r in chart["speed"] if r["call"] == "set-up"}
+    set_up = {r["method"]: r["nanoseconds"]["median"] for r in record["speed"] if r["call"] == "set-up"}
+    idle = {r["method"] for r in record["speed"] if r.get("nothing")}
     lines = {"segment": {}, "ray": {}}
-    for r in (r for r in chart["speed"] if r["call"] != "set-up"):
+    for r in (r for r in record["speed"] if r["call"] != "set-up"):
         lines[r["probe"]].setdefault((r["method"], r["call"]), {})[r["percent_hits"]] = r["nanoseconds"]
     both = {**lines["ray"], **lines["segment"]}
-    order = sorted(both, key=lambda k: (not k[0].startswith("("), -both[k][7]["median"]))
-    height = 2.3 + 0.235 * len(order)
-    figure, axes = plt.subplots(1, 2, figsize=(14, height), sharex=True, sharey=True)
-    figure.subplots_adjust(left=0.2, right=0.885, top=1 - 1.35 / height, bottom=0.95 / height, wspace=0.05)
-    for ax, (probe, title) in zip(axes, (("segment", "segments"), ("ray", "rays"))):
-        draw_speed(ax, order, lines[probe], set_up if probe == "ray" else {})
-        ax.set(xscale="log", ylim=(-0.7, len(order) - 0.3), xlabel="time per test (median; bar: quartiles)")
-        ax.set_title(title, fontsize=10.5)
-        ax.xaxis.set_major_formatter(FuncFormatter(lambda x, _: nanoseconds(x)))
-        ax.xaxis.set_minor_formatter(NullFormatter())
+    order = sorted(both, key=lambda k: (k[0] not in idle, -both[k][7]["median"]))
+    names = [shortened(m if call == "single" else f"{m}, {call}", 30) for m, call in order]
+    notes = ["Random segments, or rays, and triangles of the unit cube, 53-bit coordinates, "
+             f"{whole(record['speed_pairs'])} pairs; each test in a loop that was compiled around it. "
+             "Mark: the median of nanoseconds a test; bar: its quartiles."]
     if set_up:
-        axes[1].text(1.015, 1.0, "set-up", transform=axes[1].transAxes, fontsize=8.5, fontweight="bold", va="bottom")
-    axes[0].set_yticks(range(len(order)), [m if call == "single" else f"{m}, {call}" for m, call in order],
-                       fontsize=8.5)
-    handles = [Line2D([], [], ls="", marker=m, color=c, ms=5.5, label=f"{p} % hit") for p, (m, c) in HIT_MARKS.items()]
-    figure.legend(handles=handles, loc="lower left", bbox_to_anchor=(0.19, 0.002), ncol=4, frameon=False, fontsize=8.5)
-    figure.suptitle("What a test costs, by the share of hits", x=0.02, y=1 - 0.2 / height, ha="left", fontsize=14,
-                    fontweight="bold")
-    figure.text(0.02, 1 - 0.72 / height, "Random segments, or rays, and triangles of the unit cube, 4,000 pairs in "
-                "cache, each test in a loop that was compiled around it.", fontsize=9, color="#555555")
-    return figure
-
-
-def save(figure, name):
-    figure.savefig(name + ".svg", metadata={"Date": None, "Creator": None})
-    figure.savefig(name + ".png", dpi=160, metadata={"Software": None})
-    plt.close(figure)
+        notes.append("To prepare a triangle takes, in ns: "
+                     + ", ".join(f"{shortened(m)} {t:.0f}" for m, t in set_up.items()) + ".")
+    text = [line for note in notes + [machine(record)] for line in wrapped(note)]
+    left = 0.1 + max(width_of(n) for n in names)
+    tall, width = 0.112 * len(order) + 0.05, (WIDTH - left - RIGHT - GAP) / 2
+    sheet = Sheet(0.45 + tall + 0.42 + LINE * len(text) + 0.1)
+    sheet.text(0.05, 0.05, "What a test costs, by the share of hits", 7.6, fontweight="bold")
+    times = [t for own in lines.values() for spans in own.values() for t in spans.values()]
+    for i, (probe, title) in enumerate((("segment", "segments"), ("ray", "rays"))):
+        ax = sheet.axes(left + i * (width + GAP), 0.4, width, tall)
+        draw_lines(ax, order, lines[probe])
+        low, high = min(t["lower_quartile"] for t in times) / 1.4, max(t["upper_quartile"] for t in times) * 1.5
+        ticks = [t for t in decades(low, high) if f"{t:e}"[0] == "1"]
+        ax.set(xscale="log", xlim=(low, high), ylim=(-0.6, len(order) - 0.4))
+        ax.set_xticks(ticks, [nanoseconds(t) for t in ticks])
+        ax.set_xticks([], minor=True)
+        ax.set_yticks(range(len(order)), names if i == 0 else [""] * len(order))
+        ax.tick_params(left=False)
+        for t in ticks:
+            ax.axvline(t, color=PALE, lw=0.4, zorder=0)
+        ax.text(0, 1 + 0.04 / tall, title, transform=ax.transAxes, fontweight="bold", va="bottom")
+    handles = [Line2D([], [], ls="", marker=m, mfc=f, mec=INK, mew=0.6, ms=3, label=f"{p} % hit")
+               for p, (m, f) in HIT_MARKS.items()]
+    sheet.figure.legend(handles=handles, loc="center", bbox_to_anchor=(0.5, 1 - (0.4 + tall + 0.26) / sheet.height), ncol=4,
+                        frameon=False, fontsize=SMALL, handletextpad=0.1, columnspacing=1)
+    for i, line in enumerate(text):
+        sheet.text(0.05, 0.4 + tall + 0.36 + i * LINE, line, color="#444444")
+    sheet.save(out)
 
 
 def main():
     if len(sys.argv) != 3:
         sys.exit(__doc__.splitlines()[0])
     with open(sys.argv[1], encoding="utf-8") as file:
-        chart = json.load(file)
-    save(speed_accuracy(chart), os.path.join(sys.argv[2], "speed-accuracy"))
-    save(onset(chart), os.path.join(sys.argv[2], "onset"))
-    save(speed(chart), os.path.join(sys.argv[2], "speed"))
+        record = json.load(file)
+
+    def out(name):
+        return os.path.join(sys.argv[2], name)
+
+    speed_accuracy(record, "main", "What being right costs", out("speed-accuracy"))
+    speed_accuracy(record, "shares", "Wrong answers against time, by the share of hits", out("speed-accuracy-shares"))
+    speed_accuracy(record, "polygons", "Polygons: wrong answers against time", out("speed-accuracy-polygons"))
+    pictures(record, out("pictures"))
+    leaks(record, out("leaks"))
+    speed(record, out("speed"))
 
 
 if __name__ == "__main__":

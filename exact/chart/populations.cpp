@@ -1,33 +1,42 @@
 #include "exact/chart/populations.h"
 
+#include <cmath>
 #include <vector>
 
 #include "exact/cases/families/affine.h"
 #include "exact/cases/families/draw.h"
 #include "exact/cases/family_table.h"
+#include "exact/cases/polygon_families/table.h"
 #include "exact/classes/class_table.h"
+#include "exact/filtered/filtered.h"
 
 namespace tribunal {
 namespace {
 
-constexpr Format both[] = {Format::binary32, Format::binary64};
-constexpr Format binary32_only[] = {Format::binary32};
 constexpr int no_stress[] = {0};
 
 std::span<const int> one_level(Format) { return no_stress; }
 
-/// Multiples of 2⁻²⁴ below 1: exact in binary32, so that every method may be judged on the same bits.
-Point3 random_point(Draw& draw) {
+/// Multiples of 2⁻²⁴, or of 2⁻⁵³, below 1: the whole precision of the format.
+Point3 random_point(Draw& draw, Format format) {
+  const int bits = format == Format::binary32 ? 24 : 53;
   double x[3];
-  for (double& coordinate : x) coordinate = static_cast<double>(draw.below(1U << 24)) * 0x1p-24;
+  for (double& coordinate : x) coordinate = std::ldexp(static_cast<double>(draw.next() >> (64 - bits)), -bits);
   return {x[0], x[1], x[2]};
 }
 
-Trial random_points(Format format, std::uint64_t seed, std::uint64_t k) {
+/// Five random points; they are drawn again until the segment hits, if it is to, and else until it misses. Of any 100
+/// cases in a row `percent` are to hit, in mixed order, since 37 has no divisor in common with 100.
+Trial random_points(Format format, std::uint64_t seed, std::uint64_t k, int percent) {
+  const bool wanted = static_cast<int>(k % 100 * 37 % 100) < percent;
   Draw draw(stream_of("chart general"), seed, k);
-  Point3 v[5];
-  for (Point3& vertex : v) vertex = random_point(draw);
-  return {.query = {Segment{v[3], v[4]}, Triangle{v[0], v[1], v[2]}}, .format = format};
+  for (;;) {
+    Point3 v[5];
+    for (Point3& vertex : v) vertex = random_point(draw, format);
+    const Segment segment{v[3], v[4]};
+    const Triangle triangle{v[0], v[1], v[2]};
+    if (hits(segment, triangle) == wanted) return {.query = {segment, triangle}, .format = format};
+  }
 }
 
 /// Case k of `affine` with the longest entries that the format holds.
@@ -38,14 +47,24 @@ Trial full_affine(Format format, std::uint64_t seed, std::uint64_t k) {
   return affine.make(format, seed, last_level * class_count + k % class_count);
 }
 
-Family general_family() {
-  return {.name = "general",
-          .stresses = "nothing: five random points",
-          .population = "five uniform points of the unit cube",
-          .axis = "",
-          .constructs = false,
-          .levels = one_level,
-          .make = random_points};
+Family general_family(int percent) {
+  return {
+      .name = "general",
+      .stresses = "nothing: five random points",
+      .population = "five uniform points of the unit cube",
+      .axis = "",
+      .constructs = false,
+      .levels = one_level,
+      .make = [percent](Format f, std::uint64_t seed, std::uint64_t k) { return random_points(f, seed, k, percent); }};
+}
+
+Population general(std::string_view key, std::string_view title, int percent) {
+  return {.key = key,
+          .title = title,
+          .about = "five random points of the unit cube",
+          .family = general_family(percent),
+          .figure = percent == 7 ? Figure::main : Figure::shares,
+          .percent_hits = percent};
 }
 
 Family degenerate_family() {
@@ -68,18 +87,23 @@ Family segments_of(std::string_view name) {
 
 std::span<const Population> all_populations() {
   static const std::vector<Population> table = {
-      {"general", "General position", "five random points of the unit cube, binary32 coordinates", general_family(),
-       binary32_only},
-      {"degenerate", "Exactly degenerate", "affine images of all 163 classes, full mantissas", degenerate_family(),
-       both},
-      {"near", "Nearly degenerate", "affine images of all 163 classes, one vertex moved by ulps", segments_of("ulp"),
-       both},
+      general("general", "Random, 7 % hits", 7),
+      {"degenerate", "Exactly degenerate", "affine images of all 163 classes, full mantissas", degenerate_family()},
+      {"near", "Nearly degenerate", "affine images of all 163 classes, one vertex moved by ulps", segments_of("ulp")},
+      general("general-0", "Random, 0 % hits", 0),
+      general("general-50", "Random, 50 % hits", 50),
+      general("general-100", "Random, 100 % hits", 100),
+      {"polygons", "Polygons, degenerate", "affine images of 22 shapes in 26 places", polygon_affine_family(),
+       Figure::polygons},
+      {"polygons-near", "Polygons, nearly so", "affine images of the shapes, a coordinate moved by ulps",
+       polygon_ulp_family(), Figure::polygons},
   };
   return table;
 }
 
-Format drawn_format(const Population& population, const Method& method) {
-  return population.formats.size() == 1 ? population.formats.front() : method.contract.format;
+bool takes(const Method& method, const Population& population) {
+  if (population.of_polygons()) return method.polygon && method.contract.polygons != Polygons::none;
+  return method.segment && method.contract.probes.segments && method.contract.triangles != Triangles::none;
 }
 
 }  // namespace tribunal

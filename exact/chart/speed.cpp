@@ -6,13 +6,10 @@
 #include "exact/base/json.h"
 #include "exact/chart/pairs.h"
 #include "exact/chart/timing_json.h"
+#include "exact/methods/methods.h"
 
 namespace tribunal {
 namespace {
-
-/// 480 KB of pairs: they fit a second-level cache. No power of two: columns a multiple of 4 KB apart would fight for
-/// the same cache lines.
-constexpr std::size_t timed_pairs = 4000;
 
 struct Call {
   SpeedRow row;
@@ -24,7 +21,7 @@ constexpr const char* set_up = "set-up";
 void add_calls(std::vector<Call>& calls, const Method& m, ProbeKind kind) {
   const NativeLoops& native = loops_of(m, kind);
   const auto add = [&](const char* call, std::size_t bytes, NativeLoop loop) {
-    calls.push_back({{m.name, kind, call, bytes, {}}, std::move(loop)});
+    calls.push_back({{m.name, kind, call, bytes, {}, false}, std::move(loop)});
   };
   add("single", native.prepared ? 0 : native.bytes, single_loop(m, kind));
   if (native.batch) add("batch", native.bytes, native.batch);
@@ -40,23 +37,25 @@ bool takes(const Method& m, ProbeKind kind) {
 
 /// A test that does nothing does the same about a ray.
 std::vector<Call> calls_of(std::span<const Method> methods, ProbeKind kind) {
-  std::vector<Call> calls = {{{"(empty loop)", kind, "single", 0, {}}, empty_loop()},
-                             {{"(empty C function)", kind, "single", 0, {}}, empty_call_loop()}};
+  std::vector<Call> calls = {{{"(empty loop)", kind, "single", 0, {}, true}, empty_loop()},
+                             {{"(empty C function)", kind, "single", 0, {}, true}, empty_call_loop()}};
   for (const Method& m : methods) {
     if (takes(m, kind)) add_calls(calls, m, kind);
   }
   return calls;
 }
 
+/// The yardstick's single tests first, whether or not it is among the methods.
 std::vector<SpeedRow> measure(std::span<const Method> methods, ProbeKind kind, int repetitions) {
   std::vector<Call> calls = calls_of(methods, kind);
-  std::vector<NativeLoop> loops;
-  for (const Call& call : calls) loops.push_back(call.loop);
   for (const int percent : hit_shares) {
     const std::vector<SegmentPair> pairs =
         kind == ProbeKind::segment ? random_pairs(timed_pairs, percent) : random_rays(timed_pairs, percent);
-    const std::vector<Timing> times = time_loops(loops, pairs, timed_pairs / 40, repetitions);
-    for (std::size_t i = 0; i < calls.size(); ++i) calls[i].row.times.push_back(times[i]);
+    std::vector<TimedTest> tests{timed_test(single_loop(yardstick_method(), kind), pairs)};
+    for (const Call& call : calls) tests.push_back(timed_test(call.loop, pairs));
+    const std::vector<Timing> times =
+        time_stretches(tests, {.cases = pairs.size(), .round = 100, .repetitions = repetitions, .yardstick = 0});
+    for (std::size_t i = 0; i < calls.size(); ++i) calls[i].row.times.push_back(times[i + 1]);
   }
   std::vector<SpeedRow> rows;
   for (Call& call : calls) {
@@ -91,6 +90,7 @@ Json to_json(const std::vector<SpeedRow>& rows) {
                   {"probe", r.call == set_up ? Json() : Json(name_of(r.probe))},
                   {"call", r.call},
                   {"nanoseconds", timing_json(r.times[i])}};
+      if (r.does_nothing) row["nothing"] = true;
       row["bytes"] = r.bytes == 0 ? Json() : Json(r.bytes);
       row["percent_hits"] = r.call == set_up ? Json() : Json(hit_shares[i]);
       array.push_back(row);

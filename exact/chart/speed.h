@@ -14,6 +14,9 @@ namespace tribunal {
 /// Percentages of random pairs that hit: none, as many as the paper counted in its scenes, half, all.
 inline constexpr std::array hit_shares = {0, 7, 50, 100};
 
+/// Pairs of each share: more than a branch predictor learns; each repetition takes some of them.
+inline constexpr std::size_t timed_pairs = 65'200;
+
 /// One way to call one test, timed on each of `hit_shares`.
 struct SpeedRow {
   std::string method;
@@ -21,6 +24,7 @@ struct SpeedRow {
   std::string call;           ///< "single", "batch", "prepared"; or "set-up", a triangle, which no probe changes
   std::size_t bytes = 0;      ///< kept of a triangle; 0: not known, or not kept
   std::vector<Timing> times;  ///< in the order of `hit_shares`; of set-up the first alone
+  bool does_nothing = false;  ///< no method, but a test that shows what a clock shows of none
 };
 
 /// Every call of every method, and of two tests that do nothing, interleaved, first about segments and then about rays:

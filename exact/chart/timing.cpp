@@ -3,71 +3,100 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <numeric>
 #include <stdexcept>
+
+#include "exact/base/failure.h"
+#include "exact/base/interrupt.h"
 
 namespace tribunal {
 namespace {
 
-using Pairs = std::span<const SegmentPair>;
-
 /// Short against the slices in which a busy machine hands out its cores, so that most passes run undisturbed.
 constexpr double pass_nanoseconds = 5e5;
 
-/// A loop over a prefix of the pairs, with its samples so far.
+/// 480 KB of pairs: they fit a second-level cache. No power of two: columns a multiple of 4 KB apart would fight for
+/// the same cache lines.
+constexpr std::size_t most_at_once = 4000;
+
+/// Cases that a test is asked before the clock runs, so that it knows its own code again, but not the cases to come.
+constexpr std::size_t most_warming = 500;
+
+/// Nanoseconds per case of one pass.
+double pass(const NativeRun& run, std::span<std::uint8_t> hits) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
+  run(hits, 1);
+  const std::chrono::duration<double, std::nano> elapsed = Clock::now() - start;
+  return elapsed.count() / static_cast<double>(hits.size());
+}
+
+/// A test on one stretch after the other, with its samples so far.
 class Track {
  public:
-  Track(const NativeLoop& loop, Pairs pairs) : run_(loop(pairs)), hits_(pairs.size()) {}
+  Track(const TimedTest& test, const TimedRun& run) : test_(test), cases_(run.cases), length_(length_for(test, run)) {}
 
-  /// Nanoseconds per pair of one pass.
-  double pass() {
-    using Clock = std::chrono::steady_clock;
-    const Clock::time_point start = Clock::now();
-    step_ = next_step(step_, hits_.size());
-    run_(hits_, step_);
-    const std::chrono::duration<double, std::nano> elapsed = Clock::now() - start;
-    return elapsed.count() / static_cast<double>(hits_.size());
-  }
-
-  /// The first pass brings the data back into the cache, from which other loops have driven them.
   void sample() {
-    pass();
-    samples_.push_back(pass());
-    const auto count = std::accumulate(hits_.begin(), hits_.end(), std::uint64_t{0});
-    if (samples_.size() > 1 && count != count_) throw std::logic_error("the same pairs are answered differently");
-    count_ = count;
+    std::vector<std::uint8_t> hits(length_);
+    const std::size_t first = next_;
+    next_ = next_ + 2 * length_ <= cases_ ? next_ + length_ : 0;
+    pass(test_(next_, std::min(length_, most_warming)), std::span(hits).first(std::min(length_, most_warming)));
+    samples_.push_back(pass(test_(first, length_), hits));
+    const auto count = std::accumulate(hits.begin(), hits.end(), std::uint64_t{0});
+    const auto [known, is_new] = hits_from_.try_emplace(first, count);
+    if (!is_new && known->second != count) throw std::logic_error("the same pairs are answered differently");
   }
 
-  Timing timing() const {
+  const std::vector<double>& samples() const { return samples_; }
+
+  Timing timing(const Track* yardstick) const {
     Timing timing = summarise(samples_);
-    timing.batch = hits_.size();
+    timing.batch = length_;
+    if (yardstick == nullptr) return timing;
+    std::vector<double> ratios;
+    for (std::size_t i = 0; i < samples_.size(); ++i) ratios.push_back(samples_[i] / yardstick->samples_[i]);
+    timing.ratio = median_of(ratios);
     return timing;
   }
 
  private:
-  NativeRun run_;
-  std::vector<std::uint8_t> hits_;
-  std::size_t step_ = 0;
-  std::uint64_t count_ = 0;
+  /// A pass takes about the time that every test's takes; the first pass warms caches up.
+  static std::size_t length_for(const TimedTest& test, const TimedRun& run) {
+    const std::size_t few = std::min(run.round, run.cases), most = std::min(run.cases, most_at_once);
+    const NativeRun trial = test(0, few);
+    std::vector<std::uint8_t> hits(few);
+    pass(trial, hits);
+    const double affordable = std::min(pass_nanoseconds / pass(trial, hits), static_cast<double>(most));
+    return std::clamp(static_cast<std::size_t>(affordable) / run.round * run.round, few, std::max(few, most));
+  }
+
+  TimedTest test_;
+  std::size_t cases_, length_, next_ = 0;
   std::vector<double> samples_{};
+  std::map<std::size_t, std::uint64_t> hits_from_{};  ///< by the first case of a stretch
 };
 
-/// Its pass takes about the time that every loop's takes; the first pass also warms caches up.
-Pairs prefix_for(const NativeLoop& loop, Pairs pairs, std::size_t round) {
-  const std::size_t few = std::min(round, pairs.size());
-  Track track(loop, pairs.first(few));
-  track.pass();
-  const double affordable = pass_nanoseconds / track.pass();
-  const auto wanted = static_cast<std::size_t>(std::min(affordable, static_cast<double>(pairs.size())));
-  return pairs.first(std::clamp(wanted / round * round, few, pairs.size()));
-}
-
-/// Linear interpolation between order statistics.
+/// Linear interpolation between order statistics of sorted samples.
 double quantile(const std::vector<double>& sorted, double q) {
   const double place = q * static_cast<double>(sorted.size() - 1);
   const auto below = static_cast<std::size_t>(place);
   const std::size_t above = std::min(below + 1, sorted.size() - 1);
   return std::lerp(sorted[below], sorted[above], place - static_cast<double>(below));
+}
+
+/// The greatest k with P(B(n, 1/2) < k) ≤ 2.5 %: the k-th least and the k-th greatest of n samples enclose the median
+/// with at least 95 %. 0 where even the extremes do not.
+std::size_t rank_of_interval(std::size_t n) {
+  double term = std::pow(0.5, static_cast<double>(n)), below = term;
+  std::size_t k = 0;
+  while (below <= 0.025) {
+    ++k;
+    term *= static_cast<double>(n - k + 1) / static_cast<double>(k);
+    below += term;
+  }
+  return k;
 }
 
 extern "C" int answers_no_hit(int, const double*) { return 0; }
@@ -80,18 +109,33 @@ int (*volatile const empty_function)(int, const double*) = answers_no_hit;
 Timing summarise(std::vector<double> nanoseconds) {
   std::ranges::sort(nanoseconds);
   const auto at = [&](double q) { return quantile(nanoseconds, q); };
-  return {0, static_cast<int>(nanoseconds.size()), at(0), at(0.25), at(0.5), at(0.75), at(1)};
+  return {0, static_cast<int>(nanoseconds.size()), at(0), at(0.25), at(0.5), at(0.75), at(1), {}};
 }
 
-std::vector<Timing> time_loops(std::span<const NativeLoop> loops, Pairs pairs, std::size_t round, int repetitions) {
+bool Median::has_interval() const { return std::isfinite(upper); }
+
+Median median_of(std::vector<double> samples) {
+  std::ranges::sort(samples);
+  const double value = quantile(samples, 0.5);
+  const std::size_t rank = rank_of_interval(samples.size());
+  if (rank == 0) return {value, 0, std::numeric_limits<double>::infinity()};
+  return {value, samples[rank - 1], samples[samples.size() - rank]};
+}
+
+std::vector<Timing> time_stretches(std::span<const TimedTest> tests, const TimedRun& run) {
   std::vector<Track> tracks;
-  for (const NativeLoop& loop : loops) tracks.emplace_back(loop, prefix_for(loop, pairs, round));
-  for (int i = 0; i < repetitions; ++i) {
+  for (const TimedTest& test : tests) tracks.emplace_back(test, run);
+  for (int i = 0; i < run.repetitions; ++i) {
     for (Track& track : tracks) track.sample();
+    fail_if_interrupted("no times");
   }
   std::vector<Timing> timings;
-  for (const Track& track : tracks) timings.push_back(track.timing());
+  for (const Track& track : tracks) timings.push_back(track.timing(run.yardstick ? &tracks[*run.yardstick] : nullptr));
   return timings;
+}
+
+TimedTest timed_test(const NativeLoop& loop, std::span<const SegmentPair> pairs) {
+  return [loop, pairs](std::size_t first, std::size_t count) { return loop(pairs.subspan(first, count)); };
 }
 
 const NativeLoops& loops_of(const Method& method, ProbeKind kind) {
@@ -107,13 +151,13 @@ NativeLoop single_loop(const Method& method, ProbeKind kind) {
 }
 
 NativeLoop set_up_loop(const Method& method) {
-  return [&method](Pairs pairs) -> NativeRun {
+  return [&method](std::span<const SegmentPair> pairs) -> NativeRun {
     return [prepared = method.native.prepared(pairs)](std::span<std::uint8_t>, std::size_t) { prepared.set_up(); };
   };
 }
 
 NativeLoop prepared_loop(const Method& method, ProbeKind kind) {
-  return [loops = &loops_of(method, kind)](Pairs pairs) { return loops->prepared(pairs).ask; };
+  return [loops = &loops_of(method, kind)](std::span<const SegmentPair> pairs) { return loops->prepared(pairs).ask; };
 }
 
 NativeLoop empty_loop() {

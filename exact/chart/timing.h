@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -9,18 +11,45 @@
 
 namespace tribunal {
 
-/// Nanoseconds per pair over the repetitions, nothing subtracted.
-struct Timing {
-  std::uint64_t batch = 0;  ///< pairs in one repetition: a prefix of all
-  int repetitions = 0;
-  double min = 0, lower_quartile = 0, median = 0, upper_quartile = 0, max = 0;
+/// A median with the interval that holds the median of the population with at least 95 % confidence: two order
+/// statistics of the samples, whose ranks the binomial distribution with p = 1/2 gives, so nothing is assumed of how
+/// samples scatter. Fewer than six samples give none: lower = 0, upper = ∞.
+struct Median {
+  double value = 0, lower = 0, upper = 0;
+
+  bool has_interval() const;
 };
 
-/// One Timing a loop. Each repetition times a pass of every loop in turn, so that a change of the machine's speed meets
-/// all of them. A slow loop gets a shorter pass, of whole rounds of `round` pairs where there are as many. Throws
-/// std::logic_error if a pass answers otherwise than the one before.
-std::vector<Timing> time_loops(std::span<const NativeLoop> loops, std::span<const SegmentPair> pairs, std::size_t round,
-                               int repetitions);
+/// There must be at least one sample.
+Median median_of(std::vector<double> samples);
+
+/// Nanoseconds per pair over the repetitions, nothing subtracted.
+struct Timing {
+  std::uint64_t batch = 0;  ///< pairs in one repetition
+  int repetitions = 0;
+  double min = 0, lower_quartile = 0, median = 0, upper_quartile = 0, max = 0;
+  std::optional<Median> ratio{};  ///< of each repetition's time to the yardstick's in the same repetition, if one ran
+};
+
+/// A test laid out on some of the cases of a population, which no clock counts: from `first` on, `count` of them.
+using TimedTest = std::function<NativeRun(std::size_t first, std::size_t count)>;
+
+/// What is timed, and how.
+struct TimedRun {
+  std::size_t cases = 0;                   ///< of the population; every stretch lies within
+  std::size_t round = 1;                   ///< a slow test gets a short stretch: whole rounds where there are as many
+  int repetitions = 31;                    ///< at least 1
+  std::optional<std::size_t> yardstick{};  ///< index of the test to whose time all others are divided
+};
+
+/// One Timing a test. Each repetition times a pass of every test in turn, so that a change of the machine's speed meets
+/// all of them, and each over the stretch that follows the one of the repetition before, laid out just now: its cases
+/// lie in the cache, and no branch predictor knows their answers by heart. Throws std::logic_error if a stretch that
+/// comes again is answered otherwise. Fails with 128 + signal if interrupted.
+std::vector<Timing> time_stretches(std::span<const TimedTest> tests, const TimedRun& run);
+
+/// The loop on stretches of these pairs, which must outlive it.
+TimedTest timed_test(const NativeLoop& loop, std::span<const SegmentPair> pairs);
 
 /// The method's loops of these probes.
 const NativeLoops& loops_of(const Method& method, ProbeKind kind);

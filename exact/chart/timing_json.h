@@ -6,10 +6,19 @@
 
 namespace tribunal {
 
+/// Without `lower` and `upper` where there is no interval.
+inline Json median_json(const Median& m) {
+  Json object = {{"median", m.value}};
+  if (m.has_interval()) object.update({{"lower", m.lower}, {"upper", m.upper}});
+  return object;
+}
+
 inline Json timing_json(const Timing& t) {
-  return {
+  Json object = {
       {"batch", t.batch},   {"repetitions", t.repetitions},       {"min", t.min}, {"lower_quartile", t.lower_quartile},
       {"median", t.median}, {"upper_quartile", t.upper_quartile}, {"max", t.max}};
+  if (t.ratio) object["ratio"] = median_json(*t.ratio);
+  return object;
 }
 
 }  // namespace tribunal

@@ -89,6 +89,11 @@ Arguments::Option Arguments::repeatable(const std::string& name, std::vector<std
       std::make_shared<Option::Declared>(parser_->app->add_option(name, values, help)->allow_extra_args(false)));
 }
 
+Arguments::Option Arguments::several(const std::string& name, std::vector<std::string>& values,
+                                     const std::string& help) {
+  return Option(std::make_shared<Option::Declared>(parser_->app->add_option(name, values, help)));
+}
+
 void Arguments::flag(const std::string& name, bool& given, const std::string& help) {
   parser_->app->add_flag(name, given, help);
 }

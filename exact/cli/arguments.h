@@ -46,6 +46,9 @@ class Arguments {
   /// Declares an option that may be given several times, each time with one value.
   Option repeatable(const std::string& name, std::vector<std::string>& values, const std::string& help);
 
+  /// Declares an argument known by its place that may stand several times, one after the other.
+  Option several(const std::string& name, std::vector<std::string>& values, const std::string& help);
+
   /// Declares an option without a value.
   void flag(const std::string& name, bool& given, const std::string& help);
 

@@ -8,6 +8,7 @@
 #include "core/method.h"
 #include "exact/cases/own/own_data.h"
 #include "exact/cli/arguments.h"
+#include "exact/sweep/sweep.h"
 #include "exact/trial/fuzz.h"
 
 namespace tribunal {
@@ -68,7 +69,15 @@ Action declare_cases(Arguments& arguments);
 Action declare_certify(Arguments& arguments);
 Action declare_check(Arguments& arguments);
 Action declare_verify(Arguments& arguments);
-Action declare_chart(Arguments& arguments);
-Action declare_sweep(Arguments& arguments);
+Action declare_report(Arguments& arguments);
+
+/// A stress axis that aims rays at a mesh, before the mesh is known.
+struct MeshAxisMaker {
+  std::string_view name, quantity;
+  MeshAxis (*of_file)(const std::string& file);  ///< of a mesh of the program's own if no file is named
+};
+
+/// The axis of a mesh comes from a room further down.
+Action declare_sweep(Arguments& arguments, const MeshAxisMaker& maker);
 
 }  // namespace tribunal

@@ -13,6 +13,7 @@
 #include "exact/cli/command.h"
 #include "exact/cli/fuzz_relations.h"
 #include "exact/record/checkpoint.h"
+#include "exact/record/contract_json.h"
 #include "exact/record/counterexample.h"
 #include "exact/record/data_record.h"
 #include "exact/record/environment.h"
@@ -220,6 +221,15 @@ Json faults_json(const FuzzPlan& plan, const FuzzReport& report) {
   return rows;
 }
 
+/// The families asked, each once, in the order of their streams.
+Json families_json(const FuzzPlan& plan) {
+  Json names = Json::array();
+  for (const Stream& s : plan.streams) {
+    if (std::ranges::find(names, Json(s.family->name)) == names.end()) names.push_back(s.family->name);
+  }
+  return names;
+}
+
 /// Per method × family × format × class, or construction or outcome; nothing that varies from run to run.
 Json summary(const FuzzPlan& plan, const FuzzReport& report) {
   const bool triangles = plan.operands() == Operands::triangles;
@@ -237,7 +247,10 @@ Json summary(const FuzzPlan& plan, const FuzzReport& report) {
                     {"unsupported", count.unsupported}});
     if (count.wrong > 0 || count.refused > 0) rows.back().update(outcomes_of(count));
   }
-  Json object = {{"seed", plan.seed}, {"cases", report.cases}};
+  Json object = {{"seed", plan.seed},
+                 {"cases", report.cases},
+                 {"methods", methods_json(plan.methods)},
+                 {"families", families_json(plan)}};
   if (const Json data = data_of(plan); !data.empty()) object["data"] = data;
   if (plan.until_first) object["until_first"] = true;
   object.update({{triangles ? "classes_judged" : "polygons_judged", coverage_json(plan, report)},

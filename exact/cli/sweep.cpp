@@ -27,38 +27,55 @@ constexpr std::string_view compiler_axis = "compiler";
 constexpr const char* default_methods = "sf-float,sf-double,mt-double,sf-filtered";
 
 struct Options {
-  std::string methods, axes, out = "sweep", redraw, map, pixel;
+  std::string methods, axes, mesh, out = "sweep", redraw, map, probe = "segment", pixel;
   int map_size = 256;
   SweepPlan plan;
+  MeshAxisMaker of_mesh;
 };
 
-const StressAxis* axis_named(const std::string& name) {
-  if (const StressAxis* found = find_stress_axis(name)) return found;
+[[noreturn]] void fail_unknown_axis(const std::string& name, const Options& o) {
   std::vector<std::string> names;
   for (const StressAxis& a : all_stress_axes()) names.emplace_back(a.name);
+  names.emplace_back(o.of_mesh.name);
   names.emplace_back(compiler_axis);
   throw Failure(Exit::usage,
                 "unknown axis \"" + name + "\"" + suggestion(name, names, "one that `tribunal sweep --help` lists"));
 }
 
-std::vector<const StressAxis*> axes_named(const std::string& comma_separated) {
-  std::vector<const StressAxis*> axes;
-  if (comma_separated.empty()) {
-    for (const StressAxis& a : all_stress_axes()) axes.push_back(&a);
-    return axes;
-  }
-  for (const std::string& name : split(comma_separated)) {
-    const StressAxis* axis = axis_named(name);
-    if (std::ranges::find(axes, axis) != axes.end()) throw Failure(Exit::usage, "axis " + name + " is named twice");
-    axes.push_back(axis);
-  }
-  return axes;
+/// The axis of this name; that of the mesh is made when it is first asked for.
+const StressAxis* axis_named(const std::string& name, const Options& o, SweepPlan& plan) {
+  if (const StressAxis* found = find_stress_axis(name)) return found;
+  if (name != o.of_mesh.name) fail_unknown_axis(name, o);
+  if (!plan.of_mesh) plan.of_mesh = o.of_mesh.of_file(o.mesh);
+  return plan.of_mesh->axis.get();
 }
 
-std::string axis_help() {
+/// All axes, if none is named.
+void set_axes(SweepPlan& plan, const Options& o) {
+  std::vector<std::string> names = split(o.axes);
+  if (o.axes.empty()) {
+    names.clear();
+    for (const StressAxis& a : all_stress_axes()) names.emplace_back(a.name);
+    names.emplace_back(o.of_mesh.name);
+  }
+  for (const std::string& name : names) {
+    const StressAxis* axis = axis_named(name, o, plan);
+    if (std::ranges::find(plan.axes, axis) != plan.axes.end())
+      throw Failure(Exit::usage, "axis " + name + " is named twice");
+    plan.axes.push_back(axis);
+  }
+  if (!o.mesh.empty() && !plan.of_mesh)
+    throw Failure(Exit::usage,
+                  "--mesh: none of the axes aims at a mesh, expected --axis " + std::string(o.of_mesh.name));
+}
+
+std::string axis_help(const MeshAxisMaker& of_mesh) {
+  const auto entry = [](std::string_view name, std::string_view quantity) {
+    return " " + std::string(name) + " (" + std::string(quantity) + ")";
+  };
   std::string text = "axes, separated by commas (default all):";
-  for (const StressAxis& a : all_stress_axes())
-    text += " " + std::string(a.name) + " (" + std::string(a.quantity) + ")";
+  for (const StressAxis& a : all_stress_axes()) text += entry(a.name, a.quantity);
+  text += entry(of_mesh.name, of_mesh.quantity);
   return text + "; or alone: " + std::string(compiler_axis) + " (the naive methods, built otherwise)";
 }
 
@@ -82,16 +99,23 @@ std::vector<std::string> map_names() {
   return names;
 }
 
-std::string file_of(const MapContact& contact) { return "map-" + std::string(contact.name) + ".json"; }
+std::string file_of(const MapKind& map) { return "map-" + map.name() + ".json"; }
 
-MapPlan map_plan_of(const Options& o, const MapContact& contact) {
-  MapPlan plan{.methods = methods_named(o.methods.empty() ? default_methods : o.methods),
-               .contact = &contact,
-               .size = o.map_size,
-               .threads = o.plan.threads};
+constexpr ProbeKind probe_kinds[] = {ProbeKind::segment, ProbeKind::ray};
+
+MapKind map_of(const Options& o) {
+  const bool is_ray = o.probe == name_of(ProbeKind::ray);
+  return {find_map_contact(o.map), is_ray ? ProbeKind::ray : ProbeKind::segment, o.map_size};
+}
+
+MapPlan map_plan_of(const Options& o, const MapKind& map) {
+  MapPlan plan{
+      .methods = methods_named(o.methods.empty() ? default_methods : o.methods), .map = map, .threads = o.plan.threads};
   for (const Method& m : plan.methods) {
-    if (m.contract.probes.segments && m.contract.triangles != Triangles::none) continue;
-    throw Failure(Exit::usage, m.name + ": a map asks segments and triangles, which it does not take (" +
+    const Probes& probes = m.contract.probes;
+    const bool takes_probe = map.probe == ProbeKind::ray ? probes.rays : probes.segments;
+    if (takes_probe && m.contract.triangles != Triangles::none) continue;
+    throw Failure(Exit::usage, m.name + ": this map asks " + o.probe + "s and triangles, which it does not take (" +
                                    in_words(m.contract) + ")");
   }
   return plan;
@@ -105,35 +129,35 @@ int coordinate_of(const std::string& text, int size) {
 }
 
 /// The pixel as a case, with what the exact answer is.
-int print_pixel(const Options& o, const MapContact& contact) {
+int print_pixel(const Options& o, const MapKind& map) {
   const std::vector<std::string> parts = split(o.pixel);
   if (parts.size() != 3) throw Failure(Exit::usage, "--pixel: \"" + o.pixel + "\", expected METHOD,X,Y");
   const Method method = methods_named(parts[0]).front();
   const Format format = method.contract.format;
-  Case c{.format = format,
-         .query = query_of_pixel(contact, format, o.map_size, coordinate_of(parts[1], o.map_size),
-                                 coordinate_of(parts[2], o.map_size))};
+  Case c{
+      .format = format,
+      .query = query_of_pixel(map, format, coordinate_of(parts[1], o.map_size), coordinate_of(parts[2], o.map_size))};
   const Truth truth = exact_truth(c.query);
-  c.id = "map-" + std::string(contact.name) + "-" + std::string(name_of(format)) + "-" + parts[1] + "-" + parts[2];
+  c.id = "map-" + map.name() + "-" + std::string(name_of(format)) + "-" + parts[1] + "-" + parts[2];
   c.expect = truth.hit();
   c.class_id = truth.class_id;
-  c.source = "failure map " + std::string(contact.name) + ", " + std::to_string(o.map_size) + " pixels a side";
+  c.source = "failure map " + map.name() + ", " + std::to_string(o.map_size) + " pixels a side";
   print(from_case(c).dump() + "\n");
   return 0;
 }
 
 int run_map(const Options& o) {
-  const MapContact& contact = *find_map_contact(o.map);
-  if (!o.pixel.empty()) return print_pixel(o, contact);
-  const MapPlan plan = map_plan_of(o, contact);
+  const MapKind kind = map_of(o);
+  if (!o.pixel.empty()) return print_pixel(o, kind);
+  const MapPlan plan = map_plan_of(o, kind);
   make_directory(o.out);
   watch_interrupts();
   const FailureMap map = failure_map(plan);
   print(to_table(plan, map));
-  write_file(o.out + "/" + file_of(contact), to_json_text(plan, map));
-  draw_figures(o.out, embedded_sweep_script, file_of(contact));
-  const std::string name = o.out + "/map-" + o.map;
-  print("written: " + name + ".json, map-" + o.map + ".svg, map-" + o.map + ".png, plot.py\n");
+  write_file(o.out + "/" + file_of(kind), to_json_text(plan, map));
+  draw_figures(o.out, embedded_sweep_script, file_of(kind));
+  const std::string name = "map-" + kind.name();
+  print("written: " + o.out + "/" + name + ".json, " + name + ".svg, " + name + ".png, plot.py\n");
   return 0;
 }
 
@@ -168,7 +192,9 @@ int redraw(const std::string& directory) {
   };
   add("sweep.json");
   add("compilers.json");
-  for (const MapContact& c : all_map_contacts()) add(file_of(c));
+  for (const MapContact& c : all_map_contacts()) {
+    for (const ProbeKind probe : probe_kinds) add(file_of({&c, probe}));
+  }
   if (records.empty()) throw bad_input(directory, 0, "no record, expected sweep.json, compilers.json or map-NAME.json");
   for (const std::string& file : records) {
     draw_figures(directory, embedded_sweep_script, file);
@@ -177,12 +203,15 @@ int redraw(const std::string& directory) {
   return 0;
 }
 
+/// The mesh that an axis aimed at, for `leak` and `render`.
+std::string mesh_file(const SweepPlan& plan) { return std::string(plan.of_mesh->axis->name) + ".off"; }
+
 int run(const Options& o) {
   if (!o.redraw.empty()) return redraw(o.redraw);
   if (!o.map.empty()) return run_map(o);
   if (o.axes == compiler_axis) return run_compilers(o);
   SweepPlan plan = o.plan;
-  plan.axes = axes_named(o.axes);
+  set_axes(plan, o);
   plan.methods = methods_named(o.methods.empty() ? default_methods : o.methods);
   if (o.methods.empty()) std::erase_if(plan.methods, [&](const Method& m) { return !is_asked(plan, m); });
   require_asked(plan);
@@ -192,19 +221,23 @@ int run(const Options& o) {
   const std::vector<Threshold> thresholds = thresholds_of(plan, result);
   print(to_table(plan, result, thresholds));
   write_record(o.out, plan, result, with_witnesses(plan, result, thresholds));
+  if (plan.of_mesh) write_file(o.out + "/" + mesh_file(plan), plan.of_mesh->off);
   draw_figures(o.out, embedded_sweep_script, "sweep.json");
-  print("written: " + o.out +
-        "/sweep.json, sweep.csv, witnesses.jsonl, thresholds.svg, a figure for each axis, plot.py\n");
+  print("written: " + o.out + "/sweep.json, sweep.csv, witnesses.jsonl, " +
+        (plan.of_mesh ? mesh_file(plan) + ", " : "") + "thresholds.svg, a figure for each axis, plot.py\n");
   return 0;
 }
 
 }  // namespace
 
-Action declare_sweep(Arguments& arguments) {
+Action declare_sweep(Arguments& arguments, const MeshAxisMaker& maker) {
   const auto o = std::make_shared<Options>();
+  o->of_mesh = maker;
   arguments.option("--method,--methods", o->methods,
                    std::string("methods, separated by commas (default ") + default_methods + ")");
-  arguments.option("--axis,--axes", o->axes, axis_help());
+  arguments.option("--axis,--axes", o->axes, axis_help(maker));
+  arguments.option("--mesh", o->mesh,
+                   "closed mesh (OFF, OBJ, PLY, STL) for the axis " + std::string(maker.name) + " (default: a torus)");
   arguments.option("--seed", o->plan.seed, "seed of the cases").whole_number().shows_default();
   arguments.option("--count", o->plan.cases, "cases at each value of each axis, in each format")
       .between(std::uint64_t{1}, std::uint64_t{1} << 32)
@@ -214,13 +247,17 @@ Action declare_sweep(Arguments& arguments) {
   arguments.option("--redraw", o->redraw, "draw the figures of the record in this directory again; nothing is run");
   arguments
       .option("--map", o->map,
-              "instead: a failure map. A segment's end is moved around a contact by units in the last place; each "
+              "instead: a failure map. A probe's source is moved around a contact by units in the last place; each "
               "pixel is an answer")
       .one_of(map_names());
+  arguments.option("--probe", o->probe, "of a map: what is asked").one_of({"segment", "ray"}).shows_default();
   arguments.option("--map-size", o->map_size, "pixels on each side of a map").between(2, 4096).shows_default();
   arguments.option("--pixel", o->pixel, "METHOD,X,Y: print this pixel of the map as a case, for `tribunal replay`");
   arguments.needs("--pixel", "--map");
+  arguments.needs("--probe", "--map");
   arguments.excludes("--map", "--axis");
+  arguments.excludes("--mesh", "--map");
+  arguments.excludes("--mesh", "--redraw");
   arguments.excludes("--redraw", "--map");
   const Action action = with_plugins(arguments, [o] { return run(*o); });
   arguments.needs("--plugin", "--method");  // else it would be loaded and not tried

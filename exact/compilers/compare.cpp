@@ -14,6 +14,7 @@
 #include "exact/record/environment.h"
 #include "exact/trial/judge.h"
 #include "exact/trial/quick_truth.h"
+#include "exact/trial/severity.h"
 
 namespace tribunal {
 namespace {

@@ -22,14 +22,16 @@ struct Row {
   std::string name;
   Method (*make)();
   std::vector<Role> roles{};
+  Maker maker = Maker::segura_feito;
 };
 
 /// A rival in both formats.
 template <template <class> class Rival>
 void add_rows(const published::ShelfRow<Rival>& row, std::vector<Row>& table) {
-  const std::vector<Role> roles = row.charted ? std::vector{Role::charted} : std::vector<Role>{};
-  table.push_back({row.name + std::string("-float"), rival<Rival, float>, roles});
-  table.push_back({row.name + std::string("-double"), rival<Rival, double>, roles});
+  std::vector<Role> roles = row.charted ? std::vector{Role::charted} : std::vector<Role>{};
+  table.push_back({row.name + std::string("-float"), rival<Rival, float>, roles, Maker::published});
+  if (row.yardstick) roles.push_back(Role::yardstick);
+  table.push_back({row.name + std::string("-double"), rival<Rival, double>, roles, Maker::published});
 }
 
 std::vector<Row> all_rows() {
@@ -45,12 +47,12 @@ std::vector<Row> all_rows() {
   };
   published::visit_shelf([&](const auto& row) { add_rows(row, table); });
   const std::vector<Row> others = {
-      {"haines-float", haines_float},
-      {"haines-double", haines_double},
-      {"feito-float", feito_float},
-      {"feito-double", feito_double},
-      {"cgal-epick", cgal_epick, {Role::second_opinion}},
-      {"cgal-epeck", cgal_epeck},
+      {"haines-float", haines_float, {}, Maker::published},
+      {"haines-double", haines_double, {}, Maker::published},
+      {"feito-float", feito_float, {}, Maker::published},
+      {"feito-double", feito_double, {}, Maker::published},
+      {"cgal-epick", cgal_epick, {Role::second_opinion}, Maker::library},
+      {"cgal-epeck", cgal_epeck, {}, Maker::library},
   };
   table.insert(table.end(), others.begin(), others.end());
   return table;
@@ -81,8 +83,8 @@ bool holds(const Row& row, Role role) { return std::ranges::find(row.roles, role
 }  // namespace
 
 std::string_view name_of(Role role) {
-  constexpr std::array<std::string_view, 5> names = {"reference", "second opinion", "calibration", "flagship",
-                                                     "charted"};
+  constexpr std::array<std::string_view, 6> names = {"reference", "second opinion", "calibration",
+                                                     "flagship",  "charted",        "yardstick"};
   return names[static_cast<std::size_t>(role)];
 }
 
@@ -125,6 +127,11 @@ std::vector<const Method*> methods_with(Capability capability) {
 std::vector<Role> roles_of(const Method& method) {
   const auto row = std::ranges::find(rows(), method.name, &Row::name);
   return row == rows().end() ? std::vector<Role>{} : row->roles;
+}
+
+Maker maker_of(const Method& method) {
+  const auto row = std::ranges::find(rows(), method.name, &Row::name);
+  return row == rows().end() ? Maker::added : row->maker;
 }
 
 }  // namespace tribunal

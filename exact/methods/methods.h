@@ -18,10 +18,20 @@ enum class Role : std::uint8_t {
   second_opinion,  ///< is asked beside the reference where its contract holds, and must agree with it
   calibration,     ///< is naive, and must be wrong somewhere on a sample that is to have teeth
   flagship,        ///< is exact, fast and certified: the one to use
-  charted          ///< stands for the inexact ones on charts, where all of them could not be read
+  charted,         ///< stands for the inexact ones on charts, where all of them could not be read
+  yardstick        ///< is what times are divided by, so that machines can be compared
 };
 
 std::string_view name_of(Role role);
+
+/// Whose test a method is: the paper's on some kernel, a published rival's, a library's own, or one that was added for
+/// this run.
+enum class Maker : std::uint8_t { segura_feito, published, library, added };
+
+constexpr std::string_view name_of(Maker maker) {
+  constexpr std::string_view names[] = {"segura-feito", "published", "library", "plugin"};
+  return names[static_cast<int>(maker)];
+}
 
 /// Every method that the program knows, in the order that `tribunal methods` prints.
 const std::deque<Method>& all_methods();
@@ -45,7 +55,10 @@ std::vector<const Method*> methods_with(Capability capability);
 /// The roles of a method of the table.
 std::vector<Role> roles_of(const Method& method);
 
+Maker maker_of(const Method& method);
+
 inline const Method& reference_method() { return method_with(Role::reference); }
 inline const Method& flagship_method() { return method_with(Role::flagship); }
+inline const Method& yardstick_method() { return method_with(Role::yardstick); }
 
 }  // namespace tribunal

@@ -23,18 +23,19 @@
 namespace tribunal::published {
 
 /// A rival on any number type N, and the first part of its methods' names. `charted`: it stands for the others where
-/// all of them could not be read.
+/// all of them could not be read. `yardstick`: times are divided by that of its method in binary64.
 template <template <class> class Rival>
 struct ShelfRow {
   const char* name;
   bool charted = false;
+  bool yardstick = false;
 
   template <class N>
   using On = Rival<N>;
 };
 
 inline constexpr std::tuple shelf{
-    ShelfRow<MoellerTrumbore>{"mt", true},
+    ShelfRow<MoellerTrumbore>{"mt", true, true},
     ShelfRow<MoellerTrumborePrinted>{"mt-eps"},
     ShelfRow<MoellerTrumboreCulling>{"mt-cull"},
     ShelfRow<Arenberg>{"arenberg"},

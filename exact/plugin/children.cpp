@@ -37,25 +37,13 @@ Fault garbled() { return {Status::gave_no_answer, "wrote to our socket"}; }
 }  // namespace
 
 PluginChildren::PluginChildren(std::string file, double time_limit)
-    : file_(std::move(file)), time_limit_(time_limit), server_([f = file_](int socket) { host_plugin(f, socket); }) {
-  give_back(start());
-}
+    : file_(std::move(file)),
+      time_limit_(time_limit),
+      server_([f = file_](int socket) { host_plugin(f, socket); }),
+      introduction_(first_introduction()) {}
 
 Child PluginChildren::take() const {
-  {
-    const std::scoped_lock lock(guard_);
-    if (!idle_.empty()) {
-      const Child child = idle_.back();
-      idle_.pop_back();
-      return child;
-    }
-  }
-  return start();
-}
-
-void PluginChildren::give_back(const Child& child) const {
-  const std::scoped_lock lock(guard_);
-  idle_.push_back(child);
+  return idle_.take_or([this] { return start(); });
 }
 
 Reply PluginChildren::ask(const Child& child, const Message& question, double seconds,
@@ -82,24 +70,35 @@ Fault PluginChildren::fault_of_end(const Child& child, Transfer state, double se
   return {Status::crashed, signal_name(signal)};
 }
 
-/// A child that has loaded the library.
-Child PluginChildren::start() const {
-  const Child child = server_.start();
+/// What a child says that has loaded the library. Ends a child that has not.
+Introduction PluginChildren::introduction_of(const Child& child) const {
   std::vector<char> bytes;
   const double seconds = std::max(time_limit_, seconds_to_load);
   const Transfer state = receive_message(child.socket, bytes, after_seconds(seconds));
   if (state != Transfer::done) {
     throw bad_input(file_, 0, describe(fault_of_end(child, state, time_limit_)) + " as it was loaded");
   }
-  const auto received = introduction_in(std::move(bytes));
-  if (received && received->failed_with == 0) {
-    const std::scoped_lock lock(guard_);
-    introduction_ = *received;
-    return child;
-  }
+  const std::optional<Introduction> received = introduction_in(std::move(bytes));
+  if (received && received->failed_with == 0) return *received;
   server_.end(child, true);
   if (!received) throw bad_input(file_, 0, describe(garbled()) + " as it was loaded");
   throw Failure(static_cast<Exit>(received->failed_with), received->failure);
+}
+
+/// That of a child that is kept.
+Introduction PluginChildren::first_introduction() const {
+  const Child first = server_.start();
+  Introduction introduction = introduction_of(first);
+  give_back(first);
+  return introduction;
+}
+
+/// A later child, which must have loaded the same library as the first.
+Child PluginChildren::start() const {
+  const Child child = server_.start();
+  if (describes_the_same(introduction_of(child), introduction_)) return child;
+  server_.end(child, true);
+  throw bad_input(file_, 0, "describes itself in another way each time it is loaded, expected the same description");
 }
 
 }  // namespace tribunal

@@ -2,6 +2,7 @@
 
 #include <cstring>
 #include <memory>
+#include <tuple>
 
 #include "exact/base/fp_environment.h"
 #include "exact/plugin/calls.h"
@@ -45,6 +46,26 @@ Introduction introduction_of(const Library& library, const std::string& file) {
   require_version(library.polygons->abi, file);
   introduction.polygons = *library.polygons;
   return introduction;
+}
+
+/// The numbers of a description, and which functions exist.
+auto promises_of(const tribunal_plugin& p) {
+  return std::make_tuple(p.abi, p.format, p.convention, p.operands, p.boundary, p.ends, p.culling, p.bounds,
+                         p.tells_contact, p.tells_t, p.tells_side, p.ask != nullptr, p.ask_batch != nullptr,
+                         p.tell != nullptr, p.prepare != nullptr, p.ask_prepared != nullptr, p.ask_within != nullptr);
+}
+
+auto promises_of(const tribunal_polygon_plugin& p) { return std::make_tuple(p.abi, p.restrictions, p.ask != nullptr); }
+
+auto promises_of(const tribunal_mesh_plugin& p) {
+  return std::make_tuple(p.abi, p.tells_t, p.sorted, p.most_ulps, p.tells_normal, p.tells_side, p.normal_sense,
+                         p.most_degrees, p.prepare != nullptr, p.closest != nullptr, p.closest_normal != nullptr,
+                         p.any != nullptr, p.all != nullptr, p.inside != nullptr);
+}
+
+auto promises_of(const Introduction& i) {
+  return std::make_tuple(i.name, i.contract, i.summary, i.reference, i.takes_polygons, i.has_tree,
+                         promises_of(i.plugin), promises_of(i.polygons), promises_of(i.meshes));
 }
 
 Message message_of(const Introduction& introduction) {
@@ -172,6 +193,8 @@ void serve(Hosted& hosted, int socket) {
 }
 
 }  // namespace
+
+bool describes_the_same(const Introduction& a, const Introduction& b) { return promises_of(a) == promises_of(b); }
 
 std::optional<Introduction> introduction_in(std::vector<char> bytes) {
   Reader in(std::move(bytes));

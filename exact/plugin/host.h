@@ -28,6 +28,9 @@ struct Introduction {
 /// The introduction, from a message; nothing if it is none.
 std::optional<Introduction> introduction_in(std::vector<char> bytes);
 
+/// Whether all that this process reads of them is the same: texts, numbers, and which functions exist.
+bool describes_the_same(const Introduction& a, const Introduction& b);
+
 /// How queries are to be asked. About triangles: one after the other; by one call of the plugin's batch function; one
 /// query by the function that also describes the hit; one query after preparing its triangle; or one ray with bounds.
 /// About a mesh: `mesh` prepares one, and the questions after it are about the last one that was prepared.

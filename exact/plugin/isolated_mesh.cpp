@@ -12,11 +12,11 @@ class IsolatedMeshCalls final : public MeshCalls {
   IsolatedMeshCalls(std::shared_ptr<const PluginChildren> children, std::span<const double> vertices,
                     std::span<const std::size_t> corners)
       : children_(std::move(children)), mesh_(question(vertices, corners)) {
-    give_back(start());
+    idle_.give_back(start());
   }
 
   ~IsolatedMeshCalls() override {
-    for (const Child& child : idle_) children_->end(child);
+    for (const Child& child : idle_.take_all()) children_->end(child);
   }
 
   IsolatedMeshCalls(const IsolatedMeshCalls&) = delete;
@@ -60,9 +60,9 @@ class IsolatedMeshCalls final : public MeshCalls {
 
   template <class Whole>
   Reply reply_to(const Message& asked, const Whole& is_whole) const {
-    const Child child = take();
+    const Child child = idle_.take_or([this] { return start(); });
     const Reply reply = children_->ask(child, asked, children_->time_limit(), is_whole);
-    give_back(child);
+    idle_.give_back(child);
     return reply;
   }
 
@@ -73,27 +73,9 @@ class IsolatedMeshCalls final : public MeshCalls {
     return child;
   }
 
-  Child take() const {
-    {
-      const std::scoped_lock lock(guard_);
-      if (!idle_.empty()) {
-        const Child child = idle_.back();
-        idle_.pop_back();
-        return child;
-      }
-    }
-    return start();
-  }
-
-  void give_back(const Child& child) const {
-    const std::scoped_lock lock(guard_);
-    idle_.push_back(child);
-  }
-
   std::shared_ptr<const PluginChildren> children_;
   Message mesh_;
-  mutable std::mutex guard_;
-  mutable std::vector<Child> idle_{};
+  mutable IdleChildren idle_;
 };
 
 }  // namespace

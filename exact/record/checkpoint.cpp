@@ -10,6 +10,7 @@
 #include "exact/record/errors_json.h"
 #include "exact/record/sample_row.h"
 #include "exact/trial/judge.h"
+#include "exact/trial/severity.h"
 
 namespace tribunal {
 namespace {

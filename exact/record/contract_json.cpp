@@ -67,6 +67,18 @@ Json from_contract(const Contract& c) {
           {"exact", c.exact}};
 }
 
+Json methods_json(std::span<const Method> methods) {
+  Json rows = Json::array();
+  for (const Method& m : methods) {
+    rows.push_back({{"name", m.name},
+                    {"number", m.card.number},
+                    {"fmt", name_of(m.contract.format)},
+                    {"convention", name_of(m.contract.convention)},
+                    {"exact", m.contract.exact}});
+  }
+  return rows;
+}
+
 Contract to_contract(const Json& object, const Where& where) {
   if (!object.is_object()) where.fail("expected an object");
   Contract c;

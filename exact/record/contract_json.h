@@ -1,13 +1,19 @@
 // Contracts in logs, certificates and counterexamples.
 #pragma once
 
+#include <span>
+
 #include "core/contract.h"
+#include "core/method.h"
 #include "exact/base/json_fwd.h"
 
 namespace tribunal {
 
 /// All that the contract says: {"probes":["segment","ray"],"triangles":"any",…}.
 Json from_contract(const Contract& c);
+
+/// What records say of the methods that they are about: `name`, `number`, `fmt`, `convention`, `exact`.
+Json methods_json(std::span<const Method> methods);
 
 /// Fails, naming the key, where a word is missing or unknown.
 Contract to_contract(const Json& object, const Where& where);

@@ -11,6 +11,7 @@
 #include "exact/shrink/shrink.h"
 #include "exact/trial/describe.h"
 #include "exact/trial/observe.h"
+#include "exact/trial/severity.h"
 
 namespace tribunal {
 namespace {

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "exact/trial/observe.h"
+#include "exact/trial/severity.h"
 
 namespace tribunal {
 namespace {

@@ -9,6 +9,7 @@
 #include "exact/base/json.h"
 #include "exact/base/parallel.h"
 #include "exact/base/progress.h"
+#include "exact/cases/case_io.h"
 #include "exact/cases/families/shapes.h"
 #include "exact/record/environment.h"
 #include "exact/trial/judge.h"
@@ -50,12 +51,11 @@ SegmentPair at_end(Format f) {
 }
 
 constexpr MapContact contacts[] = {
-    {"edge", "the segment meets an edge of the triangle; exactly, it is a hit on and below the diagonal", at_edge},
-    {"vertex", "the segment meets a vertex of the triangle; exactly, it is a hit in a wedge from the middle",
-     at_vertex},
-    {"plane", "the segment lies in the triangle's plane; exactly, it is a hit on the diagonal alone, in the plane",
+    {"edge", "the probe meets an edge of the triangle; exactly, it is a hit on and below the diagonal", at_edge},
+    {"vertex", "the probe meets a vertex of the triangle; exactly, it is a hit in a wedge from the middle", at_vertex},
+    {"plane", "the probe lies in the triangle's plane; exactly, it is a hit on the diagonal alone, in the plane",
      in_the_plane},
-    {"end", "the segment begins in the triangle; exactly, it is a hit on and above the diagonal", at_end},
+    {"end", "the probe begins in the triangle; exactly, it is a hit on and above the diagonal", at_end},
 };
 
 /// A unit in the last place of numbers from 1/2 to 1.
@@ -74,8 +74,8 @@ Truth truth_of_pixel(const Query& query, ClassBy quick) {
 /// One row of pixels: the truth in each format and every method's answers.
 void fill_row(const MapPlan& plan, int y, ClassBy quick, FailureMap& map) {
   for (auto& [format, rows] : map.truth) {
-    for (int x = 0; x < plan.size; ++x) {
-      const Query query = query_of_pixel(*plan.contact, format, plan.size, x, y);
+    for (int x = 0; x < plan.map.size; ++x) {
+      const Query query = query_of_pixel(plan.map, format, x, y);
       const Truth truth = truth_of_pixel(query, quick);
       rows[static_cast<std::size_t>(y)] += truth.hit() ? 'h' : '.';
       for (MapPanel& panel : map.panels) {
@@ -88,23 +88,19 @@ void fill_row(const MapPlan& plan, int y, ClassBy quick, FailureMap& map) {
   }
 }
 
+/// The characters of answers that are not right.
+struct Character {
+  char character;
+  Outcome outcome;
+};
+
+constexpr Character characters[] = {{'+', Outcome::false_hit},     {'-', Outcome::false_miss},
+                                    {'c', Outcome::wrong_contact}, {'x', Outcome::fault},
+                                    {'?', Outcome::refused},       {' ', Outcome::not_owed}};
+
 Outcome outcome_of(char c) {
-  switch (c) {
-    case '+':
-      return Outcome::false_hit;
-    case '-':
-      return Outcome::false_miss;
-    case 'c':
-      return Outcome::wrong_contact;
-    case 'x':
-      return Outcome::fault;
-    case '?':
-      return Outcome::refused;
-    case ' ':
-      return Outcome::not_owed;
-    default:
-      return Outcome::right;
-  }
+  const auto found = std::ranges::find(characters, c, &Character::character);
+  return found == std::end(characters) ? Outcome::right : found->outcome;
 }
 
 void count_pixels(MapPanel& panel) {
@@ -117,6 +113,24 @@ std::string rows_text(const std::vector<std::string>& rows) {
   std::string text = "[";
   for (std::size_t i = 0; i < rows.size(); ++i) text += (i == 0 ? "\n   " : ",\n   ") + Json(rows[i]).dump();
   return text + "]";
+}
+
+/// The case of the pixel in the middle, as a case file has it but for its id and format.
+std::string base_text(const MapKind& kind, Format format) {
+  Json base = from_case({.format = format, .query = query_of_pixel(kind, format, kind.size / 2, kind.size / 2)});
+  base.erase("id");
+  base.erase("fmt");
+  return base.dump();
+}
+
+/// Of each format that is asked, what `member` makes of it, as an object.
+template <class Member>
+std::string by_format(const FailureMap& map, const Member& member) {
+  std::string text = "{";
+  for (const auto& [format, rows] : map.truth) {
+    text += (text.size() > 1 ? ",\n  " : "\n  ") + Json(name_of(format)).dump() + ": " + member(format);
+  }
+  return text + "}";
 }
 
 std::string panel_text(const Method& m, const MapPanel& panel) {
@@ -140,40 +154,29 @@ Point3 moved_on_map(const Point3& p, Format format, int x, int y) {
   return {p.x + x * unit_of(format), p.y + y * unit_of(format), p.z};
 }
 
-Query query_of_pixel(const MapContact& contact, Format format, int size, int x, int y) {
-  SegmentPair pair = contact.at(format);
-  pair.segment.p = moved_on_map(pair.segment.p, format, x - size / 2, y - size / 2);
-  return {pair.segment, pair.triangle};
+std::string MapKind::name() const { return std::string(contact->name) + (probe == ProbeKind::ray ? "-ray" : ""); }
+
+Query query_of_pixel(const MapKind& map, Format format, int x, int y) {
+  const SegmentPair pair = map.contact->at(format);
+  const Point3 source = moved_on_map(pair.segment.p, format, x - map.size / 2, y - map.size / 2);
+  if (map.probe == ProbeKind::segment) return {Segment{source, pair.segment.q}, pair.triangle};
+  return {Ray{source, {in_format(pair.segment.q - pair.segment.p, format)}}, pair.triangle};
 }
 
 char character_of(Outcome outcome, bool hit) {
-  switch (outcome) {
-    case Outcome::false_hit:
-      return '+';
-    case Outcome::false_miss:
-      return '-';
-    case Outcome::wrong_contact:
-      return 'c';
-    case Outcome::fault:
-      return 'x';
-    case Outcome::refused:
-      return '?';
-    case Outcome::not_owed:
-      return ' ';
-    default:
-      return hit ? 'H' : 'M';
-  }
+  const auto found = std::ranges::find(characters, outcome, &Character::outcome);
+  return found != std::end(characters) ? found->character : hit ? 'H' : 'M';
 }
 
 FailureMap failure_map(const MapPlan& plan) {
-  const auto rows = static_cast<std::size_t>(plan.size);
+  const auto rows = static_cast<std::size_t>(plan.map.size);
   FailureMap map;
   for (const Format format : formats) {
     if (is_asked(plan, format)) map.truth[format].resize(rows);
   }
   for (std::size_t m = 0; m < plan.methods.size(); ++m) map.panels.push_back({m, std::vector<std::string>(rows), {}});
   const ClassBy quick = quick_class_for(plan.methods, Operands::triangles);
-  Progress progress("map " + std::string(plan.contact->name), "rows", rows);
+  Progress progress("map " + plan.map.name(), "rows", rows);
   const auto work = [&](std::size_t y, unsigned) {
     fill_row(plan, static_cast<int>(y), quick, map);
     progress.add(1);
@@ -186,17 +189,15 @@ FailureMap failure_map(const MapPlan& plan) {
 }
 
 std::string to_json_text(const MapPlan& plan, const FailureMap& map) {
-  std::string text = "{\n \"map\": " + Json(plan.contact->name).dump() +
-                     ",\n \"about\": " + Json(plan.contact->about).dump() +
-                     ",\n \"size\": " + std::to_string(plan.size) +
-                     ",\n \"moved\": \"x and y of the segment's source, by units in the last place\",\n \"truth\": {";
+  std::string text =
+      "{\n \"map\": " + Json(plan.map.contact->name).dump() + ",\n \"probe\": " + Json(name_of(plan.map.probe)).dump() +
+      ",\n \"about\": " + Json(plan.map.contact->about).dump() + ",\n \"size\": " + std::to_string(plan.map.size) +
+      ",\n \"moved\": \"x and y of the source, by units in the last place\"";
+  text += ",\n \"base\": " + by_format(map, [&](Format f) { return base_text(plan.map, f); });
+  text += ",\n \"unit\": " + by_format(map, [](Format f) { return Json(hex_float(unit_of(f))).dump(); });
+  text += ",\n \"truth\": " + by_format(map, [&](Format f) { return rows_text(map.truth.at(f)); });
+  text += ",\n \"panels\": [";
   bool first = true;
-  for (const auto& [format, rows] : map.truth) {
-    text += (first ? "\n  " : ",\n  ") + Json(name_of(format)).dump() + ": " + rows_text(rows);
-    first = false;
-  }
-  text += "},\n \"panels\": [";
-  first = true;
   for (const MapPanel& panel : map.panels) {
     text += (first ? "\n" : ",\n") + panel_text(plan.methods[panel.method], panel);
     first = false;
@@ -205,7 +206,7 @@ std::string to_json_text(const MapPlan& plan, const FailureMap& map) {
 }
 
 std::string to_table(const MapPlan& plan, const FailureMap& map) {
-  std::string text = std::string(plan.contact->name) + ": " + std::string(plan.contact->about) + "\n";
+  std::string text = plan.map.name() + ": " + std::string(plan.map.contact->about) + "\n";
   char line[160];
   std::snprintf(line, sizeof line, "  %-22s %-9s %8s %10s %11s %14s %6s %8s %9s\n", "method", "format", "right",
                 "false hit", "false miss", "wrong contact", "fault", "refused", "not owed");

@@ -64,8 +64,9 @@ def space(ax, axis, values):
 
 
 def wrapped(text, width):
+    """Lines of text; a dollar in it, of a file's name say, begins no formula."""
     lines = [""]
-    for word in text.split():
+    for word in text.replace("$", r"\$").split():
         if lines[-1] and len(lines[-1]) + 1 + len(word) > width:
             lines.append("")
         lines[-1] += (" " if lines[-1] else "") + word
@@ -83,10 +84,11 @@ def title(figure, text, about, height):
     figure.text(0.02, 1 - 0.40 / height, about, fontsize=8.5, color=NOTE, va="top", linespacing=1.35)
 
 
-def draw_line(ax, record, rows, method):
+def draw_line(ax, record, rows, method, share_of):
+    """`share_of`: the share that is drawn of a row; none is left out."""
     style = style_of(record, method)
     own = sorted((r for r in rows if r["method"] == method), key=lambda r: r["value"])
-    shown = [(r["value"], r["wrong"]) for r in own if r["wrong"]["n"]]
+    shown = [(r["value"], share_of(r)) for r in own if share_of(r) and share_of(r)["n"]]
     if not shown:
         return
     heights = [w["share"] if w["k"] else w["upper"] for _, w in shown]
@@ -98,38 +100,59 @@ def draw_line(ax, record, rows, method):
                 mfc=style["color"] if w["k"] else "white", zorder=3)
 
 
+def per_million(y, _=None):
+    """Ticks are powers of ten."""
+    return f"$10^{{{round(math.log10(1e6 * y))}}}$"
+
+
+# What can be wrong of a ray at a mesh; faults are drawn by no figure.
+MESH_OUTCOMES = {"leak": "leaks", "double hit": "double hits", "false hit": "false hits", "parity": "wrong parity"}
+
+
+def bands_of(axis, rows):
+    """The rows of panels of an axis: a title, which rows of the record, and what share of them."""
+    if axis["operands"] == "mesh":
+        return [(words, lambda r: True, lambda r, o=outcome: r["outcomes"].get(o))
+                for outcome, words in MESH_OUTCOMES.items() if any(outcome in r["outcomes"] for r in rows)]
+    return [(probe + "s", lambda r, p=probe: r["probe"] == p, lambda r: r["wrong"])
+            for probe in PROBES if any(r["probe"] == probe for r in rows)]
+
+
 def axis_figure(record, axis):
+    """A row of panels for each kind of probe or, of rays at a mesh, for each outcome; a column for each format."""
     rows = [r for r in record["rows"] if r["axis"] == axis["name"] and r["wrong"]["n"]]
     formats = [f for f in FORMATS if any(r["fmt"] == f for r in rows)]
-    probes = [p for p in PROBES if any(r["probe"] == p for r in rows)]
     if not formats:
         return None
+    bands = bands_of(axis, rows)
+    of_mesh = axis["operands"] == "mesh"
     methods = [m["name"] for m in record["methods"] if any(r["method"] == m["name"] for r in rows)]
     columns = 3
     legend_rows = math.ceil((len(methods) + 1) / columns)
-    height = 1.15 + 1.75 * len(probes) + 0.55 + 0.2 * legend_rows
-    figure, axes = plt.subplots(len(probes), len(formats), figsize=(WIDTH, height), sharey=True, sharex="col",
+    height = 1.15 + 1.75 * len(bands) + 0.55 + 0.2 * legend_rows
+    figure, axes = plt.subplots(len(bands), len(formats), figsize=(WIDTH, height), sharey=True, sharex="col",
                                 squeeze=False)
     figure.subplots_adjust(left=0.125, right=0.98, top=1 - 1.15 / height, bottom=(0.62 + 0.2 * legend_rows) / height,
                            wspace=0.08, hspace=0.24)
-    floor = min(r["wrong"]["share"] if r["wrong"]["k"] else r["wrong"]["upper"] for r in rows)
-    for i, probe in enumerate(probes):
+    shares = [share_of(r) for _, takes, share_of in bands for r in rows if takes(r)]
+    floor = min(w["share"] if w["k"] else w["upper"] for w in shares if w and w["n"])
+    for i, (words, takes, share_of) in enumerate(bands):
         for j, fmt in enumerate(formats):
             ax = axes[i][j]
-            own = [r for r in rows if r["probe"] == probe and r["fmt"] == fmt]
+            own = [r for r in rows if takes(r) and r["fmt"] == fmt]
             ax.set(yscale="log", ylim=(floor / 2, 1.25))
-            ax.yaxis.set_major_formatter(FuncFormatter(percent))
+            ax.yaxis.set_major_formatter(FuncFormatter(per_million if of_mesh else percent))
             ax.yaxis.set_minor_locator(matplotlib.ticker.NullLocator())
             space(ax, axis, axis["values"][fmt])
             for method in methods:
-                draw_line(ax, record, own, method)
-            n = {r["asked"] for r in own}
+                draw_line(ax, record, own, method, share_of)
+            n = {w["n"] for w in map(share_of, own) if w} if of_mesh else {r["asked"] for r in own}
             cases = f"{min(n)}" if len(n) == 1 else f"{min(n)} to {max(n)}" if n else "no"
-            ax.set_title(f"{probe}s, {fmt} ({cases} each)", fontsize=9)
+            ax.set_title(f"{words}, {fmt} ({cases} {'rays' if of_mesh else 'each'})", fontsize=9)
     for ax in axes[-1]:
         ax.tick_params(axis="x", labelsize=9)
     figure.text(0.55, (0.25 + 0.2 * legend_rows) / height, axis["quantity"], ha="center", fontsize=9.5)
-    figure.text(0.012, 0.5, "share of wrong answers", rotation=90, va="center", fontsize=9.5)
+    figure.text(0.012, 0.5, "per million rays" if of_mesh else "share of wrong answers", rotation=90, va="center", fontsize=9.5)
     title(figure, f"Wrong answers along the axis “{axis['name']}”",
           wrapped(axis["population"][0].upper() + axis["population"][1:] + f". Bars: 95 % intervals. {source_line(record)}.", 98), height)
     handles = [Line2D([], [], color=style_of(record, m)["color"], marker=style_of(record, m)["marker"],
@@ -207,7 +230,7 @@ def thresholds_figure(record):
     for j, fmt in enumerate(formats):
         figure.text(0.22 + j * 0.77 / len(formats), (height - 0.78) / height, fmt, fontsize=9.5, va="top")
     title(figure, "Where each method begins to fail, and where it has failed",
-          wrapped(f"{record['cases']} cases at each value; the upper bar of a method is of segments, the lower of rays. "
+          wrapped(f"{record['cases']} cases at each value; two bars of a method: the upper is of segments, the lower of rays. "
                   f"{source_line(record)}.", 98), height)
     figure.legend(handles=[Line2D([], [], color=INK, marker="|", ls="", ms=6, mew=1.3, label="first wrong answer"),
                            Patch(color="#F0A070", label="some wrong"),
@@ -243,6 +266,7 @@ def draw_pixels(ax, rows):
 
 def map_figure(record):
     """The exact answer of each format, then every method."""
+    probe = record.get("probe", "segment")
     panels = [(f"exact, {fmt}", "", [row.replace("h", "H").replace(".", "M") for row in rows])
               for fmt, rows in record["truth"].items()]
     total = record["size"] ** 2
@@ -266,10 +290,10 @@ def map_figure(record):
         ax.text(0, 1.02, note, transform=ax.transAxes, fontsize=8, color=NOTE, va="bottom")
         if i % columns:
             ax.set_yticklabels([])
-    figure.text(0.53, (0.12 + 0.22 * legend_lines) / height, "x of the segment's source, moved (ulps)", ha="center", fontsize=9)
+    figure.text(0.53, (0.12 + 0.22 * legend_lines) / height, f"x of the {probe}'s source, moved (ulps)", ha="center", fontsize=9)
     figure.text(0.012, 0.5, "y, moved (ulps)", rotation=90, va="center", fontsize=9)
     e = record["environment"]
-    title(figure, f"Answers around a contact: {record['map']}",
+    title(figure, f"Answers around a contact: {record['map']}, {probe}s",
           wrapped(record["about"][0].upper() + record["about"][1:] + ". Each method in its own format. " + f"{e['program']}, {e['compiler'].split(' 20')[0]}.",
                   98), height)
     figure.legend(handles=[Patch(fc=PIXELS[c][1], ec=FAINT, lw=0.6, label=PIXELS[c][0]) for c in shown],
@@ -329,7 +353,7 @@ def main():
         save(compilers_figure(record), os.path.join(sys.argv[2], "compilers"))
         return
     if "map" in record:
-        save(map_figure(record), os.path.join(sys.argv[2], "map-" + record["map"]))
+        save(map_figure(record), os.path.join(sys.argv[2], os.path.basename(sys.argv[1]).removesuffix(".json")))
         return
     save(thresholds_figure(record), os.path.join(sys.argv[2], "thresholds"))
     for axis in record["axes"]:

@@ -10,6 +10,7 @@
 #include "exact/base/parallel.h"
 #include "exact/certificate/bounds.h"
 #include "exact/certificate/rate.h"
+#include "exact/record/contract_json.h"
 #include "exact/record/counterexample.h"
 #include "exact/record/environment.h"
 
@@ -25,7 +26,7 @@ std::string id_of(const SweepPlan& plan, const Threshold& t) {
                    std::string(name_of(t.format)) + "-" + std::to_string(t.first.value) + "-" +
                    std::string(name_of(t.probe)) + "-" + std::string(name_of(t.outcome));
   std::ranges::replace(id, ' ', '-');
-  return id + (t.side == Side::down ? "-down" : "");
+  return id + (t.side == AxisSide::down ? "-down" : "");
 }
 
 std::string source_of(const SweepPlan& plan, const Threshold& t, const Witness& w) {
@@ -33,34 +34,42 @@ std::string source_of(const SweepPlan& plan, const Threshold& t, const Witness& 
          std::to_string(plan.seed) + ", case " + std::to_string(w.k);
 }
 
+Json origin_of(const SweepPlan& plan, const Threshold& t, const Witness& w) {
+  return {{"axis", plan.axes[t.axis]->name},
+          {"fmt", name_of(t.format)},
+          {"seed", plan.seed},
+          {"value", t.first.value},
+          {"case", w.k}};
+}
+
+/// A ray at a mesh and the face that shows the error. It is not shrunk: what was wrong is how many faces of the mesh
+/// were reported, and the answer about this one may be right by the method's convention.
+Case mesh_witness_of(const SweepPlan& plan, const Threshold& t, const Witness& w) {
+  const Truth truth = exact_truth(w.query);
+  Case c{.format = t.format, .query = w.query, .source = source_of(plan, t, w)};
+  c.expect = truth.hit();
+  c.class_id = truth.class_id;
+  c.finding = {{"method", plan.methods[t.method].name},
+               {"outcome", name_of(t.outcome)},
+               {"origin", origin_of(plan, t, w)},
+               {"made_with", environment()}};
+  return c;
+}
+
 Case witness_of(const SweepPlan& plan, const Threshold& t, const Witness& w) {
   const std::string source = source_of(plan, t, w);
   Case c{.format = t.format, .query = w.query, .source = source};
-  if (t.outcome != Outcome::refused) {
+  if (plan.axes[t.axis]->is_of_mesh()) {
+    c = mesh_witness_of(plan, t, w);
+  } else if (t.outcome != SweptOutcome::refused) {
     c = to_counterexample(plan.methods[t.method], w.query, t.format, source, w.status);
-    c.finding["origin"] = {{"axis", plan.axes[t.axis]->name},
-                           {"fmt", name_of(t.format)},
-                           {"seed", plan.seed},
-                           {"value", t.first.value},
-                           {"case", w.k}};
+    c.finding["origin"] = origin_of(plan, t, w);
   }
   c.id = id_of(plan, t);
   return c;
 }
 
 // --- JSON -----------------------------------------------------------------------------------------------------------
-
-Json methods_json(const SweepPlan& plan) {
-  Json rows = Json::array();
-  for (const Method& m : plan.methods) {
-    rows.push_back({{"name", m.name},
-                    {"number", m.card.number},
-                    {"fmt", name_of(m.contract.format)},
-                    {"convention", name_of(m.contract.convention)},
-                    {"exact", m.contract.exact}});
-  }
-  return rows;
-}
 
 Json axis_json(const StressAxis& a) {
   Json values = Json::object(), easiest = Json::object();
@@ -71,7 +80,9 @@ Json axis_json(const StressAxis& a) {
   return {{"name", a.name},
           {"quantity", a.quantity},
           {"population", a.population},
-          {"operands", a.operands == Operands::triangles ? "triangles" : "polygons"},
+          {"operands", a.is_of_mesh()                      ? "mesh"
+                       : a.operands == Operands::triangles ? "triangles"
+                                                           : "polygons"},
           {"probes", a.has_segments() ? Json{"segment", "ray"} : Json{"ray"}},
           {"spacing", a.spacing == Spacing::even ? "even" : "logarithmic"},
           {"easiest", easiest},
@@ -83,16 +94,13 @@ Json share_json(std::uint64_t failures, std::uint64_t chances) {
   return {{"n", chances}, {"k", failures}, {"share", rate.share}, {"lower", rate.lower}, {"upper", rate.upper}};
 }
 
-/// Hits and misses always; what else there was only where there was any.
-bool is_said(const SweepCount& c, Outcome o) {
-  const bool always = o == Outcome::false_hit || o == Outcome::false_miss;
+/// Hits, misses and what rays at a mesh can show always; what else there was only where there was any.
+bool is_said(const SweepCount& c, SweptOutcome o) {
+  const bool always = c.mesh_rays > 0 ? o != SweptOutcome::fault : o <= SweptOutcome::false_miss;
   return c.chances(o) > 0 && (always || c.failures(o) > 0);
 }
 
-std::uint64_t plain_of(const SweepCount& c, Outcome o) {
-  const auto at = std::ranges::find(wrong_outcomes, o) - wrong_outcomes.begin();
-  return o == Outcome::refused ? 0 : c.plain[static_cast<std::size_t>(at)];
-}
+std::uint64_t plain_of(const SweepCount& c, SweptOutcome o) { return c.plain[static_cast<std::size_t>(o)]; }
 
 Json place_json(const SweepPlan& plan, const SweepPlace& p) {
   return {{"method", plan.methods[p.method].name},
@@ -108,10 +116,11 @@ Json row_json(const SweepPlan& plan, const SweepPlace& place, const SweepCount& 
   row["judged"] = c.count.judged();
   row["due_hits"] = c.due_hits;
   row["refused"] = c.count.refused;
+  if (c.mesh_rays > 0) row["parity_judged"] = c.parity_judged;
   row["wrong"] = share_json(c.count.wrong, c.count.judged());
   for (const Severity s : all_severities) row[std::string(name_of(s))] = c.count.at(s);
   Json outcomes = Json::object();
-  for (const Outcome o : swept_outcomes) {
+  for (const SweptOutcome o : swept_outcomes) {
     if (!is_said(c, o)) continue;
     outcomes[std::string(name_of(o))] = share_json(c.failures(o), c.chances(o));
     outcomes[std::string(name_of(o))]["plain"] = plain_of(c, o);
@@ -181,9 +190,9 @@ std::string cell_of(const Threshold* t) {
 /// One line for segments and rays; either may have none.
 std::string line_of(const SweepPlan& plan, const Threshold& row, const Threshold* segments, const Threshold* rays) {
   const StressAxis& axis = *plan.axes[row.axis];
-  const bool two_sided =
-      !values_outward(axis, row.format, Side::up).empty() && !values_outward(axis, row.format, Side::down).empty();
-  const std::string name = std::string(axis.name) + (two_sided ? row.side == Side::up ? " +" : " -" : "");
+  const bool two_sided = !values_outward(axis, row.format, AxisSide::up).empty() &&
+                         !values_outward(axis, row.format, AxisSide::down).empty();
+  const std::string name = std::string(axis.name) + (two_sided ? row.side == AxisSide::up ? " +" : " -" : "");
   char line[256];
   std::snprintf(line, sizeof line, "  %-15s %-8s %-13s  %-48s  %s\n", name.c_str(),
                 std::string(name_of(row.format)).c_str(), std::string(name_of(row.outcome)).c_str(),
@@ -233,7 +242,7 @@ std::string to_json_text(const SweepPlan& plan, const Sweep& sweep, const std::v
   };
   return "{\n" + member("seed", std::to_string(plan.seed)) + ",\n" + member("cases", std::to_string(plan.cases)) +
          ",\n" + member("confidence", Json(1 - confidence_alpha).dump()) + ",\n" +
-         member("methods", lines_of(methods_json(plan))) + ",\n" + member("axes", lines_of(axes)) + ",\n" +
+         member("methods", lines_of(methods_json(plan.methods))) + ",\n" + member("axes", lines_of(axes)) + ",\n" +
          member("rows", lines_of(rows)) + ",\n" + member("thresholds", lines_of(marks)) + ",\n" +
          member("audited", std::to_string(sweep.audited)) + ",\n" + member("environment", environment().dump()) +
          "\n}\n";
@@ -254,7 +263,7 @@ std::string to_csv(const SweepPlan& plan, const Sweep& sweep) {
   };
   for (const auto& [place, c] : sweep.counts) {
     line(place, "wrong", c.count.wrong, c.count.judged(), c.count.at(Severity::plain));
-    for (const Outcome o : swept_outcomes) {
+    for (const SweptOutcome o : swept_outcomes) {
       if (is_said(c, o)) line(place, name_of(o), c.failures(o), c.chances(o), plain_of(c, o));
     }
   }

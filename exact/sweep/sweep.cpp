@@ -13,9 +13,7 @@ constexpr Format formats[] = {Format::binary32, Format::binary64};
 constexpr int one_level[] = {0};
 std::span<const int> no_levels(Format) { return one_level; }
 
-std::size_t index_of(Outcome wrong_one) {
-  return static_cast<std::size_t>(std::ranges::find(wrong_outcomes, wrong_one) - wrong_outcomes.begin());
-}
+std::size_t index_of(SweptOutcome o) { return static_cast<std::size_t>(o); }
 
 /// The cases of an axis at one value, as a family of their own.
 Family family_at(const StressAxis& axis, int value) {
@@ -53,26 +51,11 @@ Streams streams_of(const StressAxis& axis, const std::vector<Method>& methods) {
   return s;
 }
 
-/// What one worker has counted of one axis.
-struct Counter {
-  std::map<SweepPlace, SweepCount> counts{};
-  Witnesses witnesses{};
-
-  void add(const SweepPlace& place, const Contract& contract, const JudgedAnswer& a) {
-    counts[place].add(a, contract);
-    if (a.outcome == Outcome::right || a.outcome == Outcome::not_owed) return;
-    const auto [entry, fresh] = witnesses.try_emplace({place, a.outcome}, Witness{a.k, a.trial.query, a.answer.status});
-    if (!fresh && a.k < entry->second.k) entry->second = {a.k, a.trial.query, a.answer.status};
-  }
-
-  void add_to(Sweep& result) const {
-    for (const auto& [place, count] : counts) result.counts[place] += count;
-    for (const auto& [key, witness] : witnesses) {
-      const auto [entry, fresh] = result.witnesses.try_emplace(key, witness);
-      if (!fresh && witness.k < entry->second.k) entry->second = witness;
-    }
-  }
-};
+void add(Sweep& sweep, const SweepPlace& place, const Contract& contract, const JudgedAnswer& a) {
+  sweep.counts[place].add(a, contract);
+  if (a.outcome == Outcome::right || a.outcome == Outcome::not_owed) return;
+  sweep.note(place, swept(a.outcome), {a.k, a.trial.query, a.answer.status});
+}
 
 std::string label_of(const SweepPlan& plan, std::size_t axis) {
   return "sweep " + std::string(plan.axes[axis]->name) + " (" + std::to_string(axis + 1) + " of " +
@@ -94,15 +77,15 @@ void sweep_axis(const SweepPlan& plan, std::size_t axis, Sweep& result) {
   trial.streams = s.streams;
   trial.cases = plan.cases * s.streams.size();
   trial.quick = quick_class_for(trial.methods, a.operands);
-  std::vector<Counter> counters(plan.threads);
+  std::vector<Sweep> parts(plan.threads);  // one a worker
   trial.watch = [&](unsigned worker, const JudgedAnswer& j) {
     const ProbeKind probe = is_of_ray(j.trial.query) ? ProbeKind::ray : ProbeKind::segment;
     const SweepPlace place{asked[j.method], axis, s.streams[j.stream].format, s.values[j.stream], probe};
-    counters[worker].add(place, trial.methods[j.method].contract, j);
+    add(parts[worker], place, trial.methods[j.method].contract, j);
   };
   result.audited += fuzz(trial).audited;
   if (interrupted() != 0) throw Failure(static_cast<Exit>(128 + interrupted()), "interrupted; no record written");
-  for (const Counter& c : counters) c.add_to(result);
+  for (const Sweep& part : parts) result += part;
 }
 
 }  // namespace
@@ -110,31 +93,69 @@ void sweep_axis(const SweepPlan& plan, std::size_t axis, Sweep& result) {
 void SweepCount::add(const JudgedAnswer& a, const Contract& contract) {
   count.add(a.outcome, a.answer.stage);
   due_hits += is_judged(a.outcome) && due(contract, a.truth) == Due::hit;
+  if (a.outcome == Outcome::right || a.outcome == Outcome::not_owed) return;
+  ++of[index_of(swept(a.outcome))];
   if (!is_wrong(a.outcome)) return;
   count.add_wrong(a.severity, a.cause);
-  plain[index_of(a.outcome)] += a.severity == Severity::plain;
+  plain[index_of(swept(a.outcome))] += a.severity == Severity::plain;
+}
+
+void SweepCount::add(const MeshAnswer& a) {
+  ++mesh_rays;
+  ++count.asked;
+  parity_judged += a.parity_judged;
+  std::optional<Severity> worst;
+  for (std::size_t o = 0; o < a.errors.size(); ++o) {
+    if (!a.errors[o]) continue;
+    ++of[o];
+    plain[o] += *a.errors[o] == Severity::plain;
+    if (!worst || *a.errors[o] < *worst) worst = a.errors[o];
+  }
+  if (!worst) return;
+  ++count.wrong;
+  count.add_wrong(*worst, Cause::unknown);
 }
 
 SweepCount& SweepCount::operator+=(const SweepCount& other) {
   count += other.count;
   due_hits += other.due_hits;
-  for (std::size_t i = 0; i < plain.size(); ++i) plain[i] += other.plain[i];
+  mesh_rays += other.mesh_rays;
+  parity_judged += other.parity_judged;
+  for (std::size_t i = 0; i < of.size(); ++i) {
+    of[i] += other.of[i];
+    plain[i] += other.plain[i];
+  }
   return *this;
 }
 
-std::uint64_t SweepCount::failures(Outcome o) const { return o == Outcome::refused ? count.refused : count.at(o); }
-
-std::uint64_t SweepCount::chances(Outcome o) const {
+std::uint64_t SweepCount::chances(SweptOutcome o) const {
+  const bool is_of_mesh = std::ranges::find(mesh_outcomes, o) != mesh_outcomes.end();
+  if (mesh_rays > 0) return o == SweptOutcome::parity ? parity_judged : is_of_mesh ? mesh_rays : 0;
   switch (o) {
-    case Outcome::false_hit:
+    case SweptOutcome::false_hit:
       return count.judged() - due_hits;
-    case Outcome::false_miss:
+    case SweptOutcome::false_miss:
       return due_hits;
-    case Outcome::refused:
+    case SweptOutcome::wrong_contact:
+    case SweptOutcome::fault:
+      return count.judged();
+    case SweptOutcome::refused:
       return count.judged() + count.refused;
     default:
-      return count.judged();
+      return 0;
   }
+}
+
+void Sweep::note(const SweepPlace& place, SweptOutcome outcome, const Witness& witness) {
+  const auto [entry, fresh] = witnesses.try_emplace({place, outcome}, witness);
+  if (!fresh && witness.k < entry->second.k) entry->second = witness;
+}
+
+Sweep& Sweep::operator+=(const Sweep& other) {
+  for (const auto& [place, c] : other.counts) counts[place] += c;
+  for (const auto& [key, witness] : other.witnesses) note(key.first, key.second, witness);
+  audited += other.audited;
+  return *this;
 }
 
 bool takes(const Method& method, const StressAxis& axis) {
@@ -146,7 +167,13 @@ bool takes(const Method& method, const StressAxis& axis) {
 
 Sweep sweep(const SweepPlan& plan) {
   Sweep result;
-  for (std::size_t axis = 0; axis < plan.axes.size(); ++axis) sweep_axis(plan, axis, result);
+  for (std::size_t axis = 0; axis < plan.axes.size(); ++axis) {
+    if (plan.axes[axis]->is_of_mesh()) {
+      plan.of_mesh->run(plan, axis, result);
+    } else {
+      sweep_axis(plan, axis, result);
+    }
+  }
   return result;
 }
 

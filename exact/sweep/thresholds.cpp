@@ -5,7 +5,7 @@
 namespace tribunal {
 namespace {
 
-constexpr Side sides[] = {Side::up, Side::down};
+constexpr AxisSide sides[] = {AxisSide::up, AxisSide::down};
 constexpr ProbeKind probe_kinds[] = {ProbeKind::segment, ProbeKind::ray};
 constexpr Format formats[] = {Format::binary32, Format::binary64};
 
@@ -36,12 +36,12 @@ bool find_marks(const std::vector<Mark>& marks, Threshold& t) {
 
 }  // namespace
 
-std::vector<int> values_outward(const StressAxis& axis, Format format, Side side) {
+std::vector<int> values_outward(const StressAxis& axis, Format format, AxisSide side) {
   const std::span<const int> all = axis.values(format);
   std::vector<int> values(all.begin(), all.end());
   const int easiest = axis.easiest(format);
-  std::erase_if(values, [&](int v) { return side == Side::up ? v < easiest : v > easiest; });
-  if (side == Side::down) std::ranges::reverse(values);
+  std::erase_if(values, [&](int v) { return side == AxisSide::up ? v < easiest : v > easiest; });
+  if (side == AxisSide::down) std::ranges::reverse(values);
   if (values.size() == 1) values.clear();
   return values;
 }
@@ -51,8 +51,8 @@ std::vector<Threshold> thresholds_of(const SweepPlan& plan, const Sweep& sweep) 
   for (std::size_t method = 0; method < plan.methods.size(); ++method) {
     for (std::size_t axis = 0; axis < plan.axes.size(); ++axis) {
       for (const Format format : formats) {
-        for (const Side side : sides) {
-          for (const Outcome outcome : swept_outcomes) {
+        for (const AxisSide side : sides) {
+          for (const SweptOutcome outcome : swept_outcomes) {
             for (const ProbeKind probe : probe_kinds) {
               Threshold t{method, axis, format, side, probe, outcome};
               if (find_marks(marks_of(plan, sweep, t), t)) rows.push_back(t);

@@ -17,18 +17,18 @@ struct Mark {
 };
 
 /// To which side of the axis's easiest value one looks.
-enum class Side : std::uint8_t { up, down };
+enum class AxisSide : std::uint8_t { up, down };
 
-constexpr std::string_view name_of(Side s) { return s == Side::up ? "up" : "down"; }
+constexpr std::string_view name_of(AxisSide s) { return s == AxisSide::up ? "up" : "down"; }
 
 /// Of one method, on one side of one axis, in one format, asked by one kind of probe: where one outcome begins and
 /// where nothing else is left.
 struct Threshold {
   std::size_t method = 0, axis = 0;
   Format format = Format::binary64;
-  Side side = Side::up;
+  AxisSide side = AxisSide::up;
   ProbeKind probe = ProbeKind::segment;
-  Outcome outcome = Outcome::false_hit;
+  SweptOutcome outcome = SweptOutcome::false_hit;
 
   Mark first{};                  ///< the first value with a failure, seen from the easiest
   std::optional<Mark> before{};  ///< the value before it, without one; none if the easiest value has failures
@@ -41,6 +41,6 @@ struct Threshold {
 std::vector<Threshold> thresholds_of(const SweepPlan& plan, const Sweep& sweep);
 
 /// The values of one side, from the easiest outward. The side down has the easiest value only if it has others.
-std::vector<int> values_outward(const StressAxis& axis, Format format, Side side);
+std::vector<int> values_outward(const StressAxis& axis, Format format, AxisSide side);
 
 }  // namespace tribunal

@@ -14,6 +14,7 @@
 #include "exact/cases/family_table.h"
 #include "exact/trial/exact_hit.h"
 #include "exact/trial/prepared.h"
+#include "exact/trial/severity.h"
 
 namespace tribunal {
 namespace {

@@ -27,7 +27,8 @@ constexpr bool is_wrong(Outcome o) { return o >= Outcome::false_hit && o <= Outc
 constexpr bool is_judged(Outcome o) { return o <= Outcome::fault; }
 
 /// How bad a wrong answer is, the worst first. `plain`: at everyday scale, in general position and well away from any
-/// other, where nobody expects an error. `boundary`: at everyday scale, degenerate or nearly so. `extreme`: the rest.
+/// other, where nobody expects an error (severity.h). `boundary`: at everyday scale, degenerate or nearly so.
+/// `extreme`: the rest.
 enum class Severity : std::uint8_t { plain, boundary, extreme };
 
 inline constexpr std::array all_severities = {Severity::plain, Severity::boundary, Severity::extreme};
@@ -46,12 +47,6 @@ struct Rank {
 
   auto operator<=>(const Rank&) const = default;
 };
-
-/// Everyday scale: every coordinate is 0 or within 1e-4 and 1e5 in magnitude.
-/// General position: all five signed volumes of a triangle case are at least 2^-20 of the sum of their absolute
-/// products; of a planar polygon, those of the probe with each ring edge, and the distances of its ends from the plane,
-/// where no ring edge is met. Computed in double: it ranks reports, and decides no answer.
-Severity severity_of(const Query& query, const Truth& truth);
 
 /// Where a wrong answer to the query comes from; asks the method's exact twin, which is slow.
 Cause cause_of(const Method& method, const Query& query, const Truth& truth, Outcome outcome);

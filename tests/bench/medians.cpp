@@ -19,17 +19,17 @@ double Medians::quantile(const std::string& name, double q) const {
 }
 
 void Medians::print(const char* item) const {
-  std::printf("%-38s %10s %10s %10s  %s\n", item, "median", "lower q.", "upper q.", "repetitions");
+  std::printf("%-38s %10s %10s %10s  %s\n", item, "median", "tenth", "ninetieth", "repetitions");
   for (const auto& [name, samples] : samples_) {
-    std::printf("%-38s %10.2f %10.2f %10.2f  %zu\n", name.c_str(), median(name), quantile(name, 0.25),
-                quantile(name, 0.75), samples.size());
+    std::printf("%-38s %10.2f %10.2f %10.2f  %zu\n", name.c_str(), median(name), quantile(name, 0.1),
+                quantile(name, 0.9), samples.size());
   }
 }
 
 void Medians::print_ratio(const std::string& name, const std::string& over, const std::string& under) const {
   if (!has(over) || !has(under)) return;
   std::printf("ratio %s %.3f [%.3f, %.3f]\n", name.c_str(), median(over) / median(under),
-              quantile(over, 0.25) / quantile(under, 0.75), quantile(over, 0.75) / quantile(under, 0.25));
+              quantile(over, 0.1) / quantile(under, 0.9), quantile(over, 0.9) / quantile(under, 0.1));
 }
 
 int run_interleaved(int argc, char** argv, Repetition repetition, Medians& medians) {

@@ -24,11 +24,13 @@ class Medians : public benchmark::ConsoleReporter {
   bool has(const std::string& name) const { return samples_.count(name) > 0; }
   double median(const std::string& name) const { return quantile(name, 0.5); }
 
-  /// Prints the median, the quartiles and the number of repetitions of each benchmark; `item` names one item.
+  /// Prints the median, the tenth and ninetieth percentile and the number of repetitions of each benchmark; `item`
+  /// names one item.
   void print(const char* item) const;
 
   /// Prints `ratio NAME VALUE [LOW, HIGH]` if both were measured: the quotient of two medians, and those of opposite
-  /// quartiles.
+  /// percentiles, tenth over ninetieth and the other way. Runs of one program differ by more than a run's quartiles
+  /// show.
   void print_ratio(const std::string& name, const std::string& over, const std::string& under) const;
 
  private:

@@ -124,6 +124,12 @@ expect 3 methods --plugin missing.so --isolate && says err 'missing.so: cannot r
 faulty on_load -DFAULT=none -DCRASHES_ON_LOAD
 expect 3 methods --plugin on_load.so --isolate && says err 'on_load.so: crashed (SIGABRT) as it was loaded'
 expect 2 fuzz --method sf-double --isolate && says err '--plugin'
+
+# Children that come after the first must introduce the library as it did: one thread has a child that crashes, and the next
+# one promises something else.
+faulty changes -DFAULT=crash -DCHANGES=culling
+expect 3 "${hunt[@]}" --plugin changes.so --isolate --threads 2
+says err 'changes.so: describes itself in another way each time it is loaded' && [ "$(wc -l <err)" -eq 1 ]
 expect 2 fuzz --plugin seven.so --method faulty --time-limit 1 && says err '--isolate'
 expect 2 fuzz --plugin seven.so --method faulty --isolate --time-limit 0
 

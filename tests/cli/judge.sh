@@ -69,6 +69,35 @@ echo '{"id":"flat","seg":[[0.25,0,1],[0.25,0,-1]],"tri":[[0,0,0],[1,0,0],[0,1,0]
 expect 1 judge --cases edge.jsonl --answers miss.jsonl && says out 'answers: refuted; wrong on boundaries only: 1 of 1 (your own binary64)'
 expect 0 judge --cases edge.jsonl --answers miss.jsonl --convention open && says out 'nothing wrong of 1'
 expect 3 judge --cases edge.jsonl --answers miss.jsonl --convention half-open && says err 'nothing to judge'
+expect 1 judge --cases edge.jsonl --answers miss.jsonl --convention half-open --boundary closed
+expect 0 judge --cases edge.jsonl --answers miss.jsonl --boundary open && says out 'nothing wrong of 1'
+expect 3 judge --cases edge.jsonl --answers miss.jsonl --boundary unspecified
+expect 3 judge --cases flat.jsonl --answers miss.jsonl --convention unspecified && says err 'nothing to judge'
+# The other readings: ends of the probe, faces seen from behind, degenerate operands.
+echo '{"id":"flat","hit":1}' >hit.jsonl
+echo '{"id":"flat","seg":[[0.25,0.25,1],[0.25,0.25,0]],"tri":[[0,0,0],[1,0,0],[0,1,0]]}' >end.jsonl
+expect 1 judge --cases end.jsonl --answers miss.jsonl
+expect 0 judge --cases end.jsonl --answers miss.jsonl --ends open --out ends
+expect 1 judge --cases end.jsonl --answers hit.jsonl --ends open --out ends && says ends/counterexamples.jsonl '"readings":{"ends":"open"}'
+expect 0 verify ends
+expect 3 judge --cases end.jsonl --answers miss.jsonl --ends unspecified
+echo '{"id":"flat","ray":{"o":[0.25,0.25,-1],"d":[0,0,1]},"tri":[[0,0,0],[1,0,0],[0,1,0]]}' >behind.jsonl
+expect 1 judge --cases behind.jsonl --answers miss.jsonl
+expect 0 judge --cases behind.jsonl --answers miss.jsonl --culls
+expect 1 judge --cases behind.jsonl --answers hit.jsonl --culls
+echo '{"id":"flat","seg":[[0,0,1],[0,0,-1]],"tri":[[0,0,0],[1,0,0],[0.5,0,0]]}' >thin.jsonl
+expect 1 judge --cases thin.jsonl --answers miss.jsonl
+expect 3 judge --cases thin.jsonl --answers miss.jsonl --no-degenerate && says err 'nothing to judge'
+# Rays with bounds are judged: as closed at them, or as --bounds says.
+for t in '0.5,2' '1,2'; do
+  echo '{"id":"flat","ray":{"o":[0.25,0.25,1],"d":[0,0,-1],"t":['$t']},"tri":[[0,0,0],[1,0,0],[0,1,0]]}' >"within-$t.jsonl"
+  expect 1 judge --cases "within-$t.jsonl" --answers miss.jsonl && says out 'answers: refuted'
+  expect 0 judge --cases "within-$t.jsonl" --answers hit.jsonl && says out 'nothing wrong of 1'
+done
+expect 0 judge --cases within-1,2.jsonl --answers miss.jsonl --bounds open
+expect 1 judge --cases within-1,2.jsonl --answers hit.jsonl --bounds open
+expect 1 judge --cases within-0.5,2.jsonl --answers miss.jsonl --bounds open
+expect 3 judge --cases within-1,2.jsonl --answers hit.jsonl --bounds unspecified
 # A contact is judged where it is told.
 echo '{"id":"flat","hit":1,"contact":"edge"}' >edge-told.jsonl && echo '{"id":"flat","hit":1,"contact":"vertex"}' >vertex-told.jsonl
 expect 0 judge --cases edge.jsonl --answers edge-told.jsonl

@@ -20,7 +20,5 @@ expect 2 fuzz --plugin rays.so --method sf-double,rays-only --family grazing --c
 says err 'rays-only: nothing was judged'
 expect 1 fuzz --plugin rays.so --method rays-only --family grazing --count 2000
 expect 2 chart --plugin rays.so --method rays-only --count 100 --out charts
-says err 'rays-only: a chart asks segments and triangles'
-expect 2 chart --method haines-double --count 100 --out charts
-says err 'haines-double: a chart asks segments and triangles'
+says err 'rays-only: a chart asks segments and triangles, or polygons'
 expect 0 fuzz --method sf-rational --family grazing --count 1

@@ -78,6 +78,50 @@ expect 2 sweep --map edge --pixel sf-double
 expect 2 sweep --map corner
 expect 0 sweep --redraw maps
 
+# The same of rays: the record has a name of its own, and its pixels replay as they are drawn.
+expect 0 sweep --map vertex --probe ray --map-size 32 --method mt-double,sf-filtered --out maps
+[ -s maps/map-vertex-ray.svg ] && [ ! -e maps/map-vertex.json ]
+python3 - maps/map-vertex-ray.json >pixels <<'PYTHON'
+import json, sys
+m = json.load(open(sys.argv[1]))
+assert m["probe"] == "ray"
+wrong = [(x, y) for y, row in enumerate(m["panels"][0]["pixels"]) for x, c in enumerate(row) if c in "+-"]
+print(*wrong[0])
+PYTHON
+read -r x y <pixels
+expect 0 sweep --map vertex --probe ray --map-size 32 --pixel "mt-double,$x,$y"
+says out '"ray"'
+mv out pixel.jsonl
+expect 1 replay pixel.jsonl
+[[ $(grep '^ *mt-double ' out) == *WRONG* ]]
+expect 2 sweep --probe ray --axis scale
+expect 0 sweep --redraw maps
+says out 'map-vertex-ray.json'
+
+# A mesh seen from afar: its record is that of any axis, it is written, and another one can be given.
+expect 0 sweep --axis afar --method mt-double,sf-filtered --count 60 --threads 2 --out afar
+says out 'sf-filtered: nothing wrong of'
+says out 'double hit'
+for file in sweep.json witnesses.jsonl afar.off axis-afar.svg axis-afar.png thresholds.svg; do [ -s "afar/$file" ]; done
+grep -q '^afar,binary64,0,mt-double,ray,parity,' afar/sweep.csv
+! grep -q '^afar,.*,segment,' afar/sweep.csv
+grep -q '"operands":"mesh"' afar/sweep.json
+mkdir redrawn
+cp afar/sweep.json redrawn
+expect 0 sweep --redraw redrawn
+cmp afar/axis-afar.svg redrawn/axis-afar.svg
+expect 0 sweep --axis afar --mesh afar/afar.off --method mt-double,sf-filtered --count 60 --threads 3 --out again-afar
+cmp afar/afar.off again-afar/afar.off
+cmp <(cut -d, -f1-8 afar/sweep.csv) <(cut -d, -f1-8 again-afar/sweep.csv)
+cp afar/afar.off 'a$b_{$.off'  # no formula in the figure
+expect 0 sweep --axis afar --mesh 'a$b_{$.off' --method sf-filtered --count 3 --out odd-name
+printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >open.off
+expect 3 sweep --axis afar --mesh open.off --out no
+says err 'open.off'
+expect 2 sweep --axis scale --mesh afar/afar.off --out no
+says err '--mesh'
+[ ! -e no ]
+
 # The compiler as an axis: strict builds change nothing, contracted ones do, and the figure comes from the record.
 expect 0 sweep --axis compiler --method mt-double,woop-double --count 2000 --out built
 says out 'g++-contracted'

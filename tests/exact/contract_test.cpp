@@ -294,6 +294,7 @@ TEST(Roles, AreHeldByMethodsThatFitThem) {
   }
   EXPECT_EQ(reference_method().contract, flagship_method().contract) << "all that is asked has a reference";
   EXPECT_TRUE(has(reference_method(), Capability::class_id));
+  EXPECT_EQ(methods_with(Role::yardstick).size(), 1U) << "times are divided by one method's";
   EXPECT_GE(methods_with(Role::calibration).size(), 2U);
   for (const Method& naive : methods_with(Role::calibration)) {
     EXPECT_FALSE(naive.contract.exact);

@@ -1,4 +1,4 @@
-// Outcomes, severities and causes: a method that is wrong in one way is said to be wrong in that way, everywhere.
+// Outcomes and causes: a method that is wrong in one way is said to be wrong in that way, everywhere.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,8 +21,6 @@ using testing_certificates::method;
 using testing_certificates::tiny;
 
 constexpr Triangle floor_of_ten{{0, 0, 0}, {10, 0, 0}, {0, 10, 0}};
-const Query plain_hit{Segment{{2, 3, 1}, {3, 2, -1}}, floor_of_ten};
-const Query plain_miss{Segment{{20, 3, 1}, {30, 2, -1}}, floor_of_ten};
 const Query on_edge{Segment{{2, 0, 1}, {2, 0, -1}}, floor_of_ten};
 
 /// A method that gives `change` of the reference's answer to a segment.
@@ -91,73 +89,6 @@ TEST(Outcomes, ContactsAreOwedByThoseWhoTellThem) {
   EXPECT_EQ(judge(m, truth, hit_at(Contact::unsaid)), Outcome::right);
   m.tells_contact = false;
   EXPECT_EQ(judge(m, truth, hit_at(Contact::interior)), Outcome::right);
-}
-
-TEST(Severity, IsThatOfTheQuery) {
-  const auto severity = [](const Query& q) { return severity_of(q, exact_truth(q)); };
-  EXPECT_EQ(severity(plain_hit), Severity::plain);
-  EXPECT_EQ(severity(plain_miss), Severity::plain);
-  EXPECT_EQ(severity(on_edge), Severity::boundary);
-  const auto moved = [](double y) { return Query{Segment{{2, y, 1}, {2, y, -1}}, floor_of_ten}; };
-  EXPECT_EQ(severity(moved(0.001)), Severity::plain);
-  EXPECT_EQ(severity(moved(-0.001)), Severity::plain);
-  Query near = on_edge;
-  std::get<Segment>(near.probe).p.y = 0x1p-13;  // everyday, and at the other end 0
-  EXPECT_EQ(severity(near), Severity::plain);
-  near.triangle().c = {1, 0x1p-10, 0};
-  near.triangle().a = {0, 0x1p-11, 0};
-  near.triangle().b = {2, 0x1.8p-10, 0x1p-13};
-  EXPECT_EQ(severity(near), Severity::plain);
-  EXPECT_EQ(severity({Segment{{2, 1e-5, 1}, {2, 1, -1}}, floor_of_ten}), Severity::extreme);
-  EXPECT_EQ(severity({Segment{{2, 1, 1e6}, {2, 1, -1}}, floor_of_ten}), Severity::extreme);
-  EXPECT_EQ(severity({Ray{{2, 1, 1}, {{0, 0, -1}}}, floor_of_ten}), Severity::plain);
-  EXPECT_EQ(severity({Ray{{2, 1, 1}, {{1, 0, 0}}}, floor_of_ten}), Severity::boundary) << "parallel";
-  EXPECT_EQ(severity({Ray{{2, 1, 1}, {{0, 0, -1e-9}}}, floor_of_ten}), Severity::extreme);
-}
-
-TEST(Severity, OfPolygonsLooksAtRingEdgesAndThePlane) {
-  PolygonData square;
-  square.add(std::vector<Point3>{{0, 0, 0}, {8, 0, 0}, {8, 8, 0}, {0, 8, 0}});
-  const auto severity = [&](const Segment& s) {
-    const Query q{s, square};
-    return severity_of(q, exact_truth(q));
-  };
-  EXPECT_EQ(severity({{3, 2, 1}, {3, 2, -1}}), Severity::plain);
-  EXPECT_EQ(severity({{13, 2, 1}, {13, 2, -1}}), Severity::plain);
-  EXPECT_EQ(severity({{3, 0, 1}, {3, 0, -1}}), Severity::boundary) << "on an edge";
-  EXPECT_EQ(severity({{3, 2, 0}, {3, 2, -1}}), Severity::boundary) << "from the plane";
-  EXPECT_EQ(severity({{3, 2, 0}, {5, 2, 0}}), Severity::boundary) << "in the plane";
-  EXPECT_EQ(severity({{3, 2, 1}, {3, 2, -1e9}}), Severity::extreme);
-}
-
-/// A sound test is right on all that is called plain: severities mean something.
-TEST(Severity, NaiveTestsAreNeverWrongInPlainPosition) {
-  std::vector<Method> naive = {method("sf-float"), method("sf-double"), method("mt-float"), method("mt-double")};
-  FuzzPlan plan{
-      .methods = naive, .streams = streams_of(Operands::triangles), .seed = 9, .cases = 120'000, .threads = 2};
-  const FuzzReport report = fuzz(plan);
-  for (std::size_t m = 0; m < naive.size(); ++m) {
-    const Count c = total_of(report, m);
-    EXPECT_EQ(c.at(Severity::plain), 0U) << naive[m].name;
-    EXPECT_GT(c.at(Severity::boundary), 10U) << naive[m].name;
-    EXPECT_GT(c.at(Severity::extreme), 10U) << naive[m].name;
-    EXPECT_EQ(c.unsaid(), 0U);
-  }
-}
-
-/// If a method is wrong on a case of the control family `plain`, the severity is `plain`.
-TEST(Severity, TheFamilyPlainIsPlain) {
-  const Family& family = *find_family("plain");
-  for (const Format format : {Format::binary64, Format::binary32}) {
-    int hits = 0;
-    for (std::uint64_t k = 0; k < 16'000; ++k) {
-      const Trial trial = family.make(format, 3, k);
-      const Truth truth = exact_truth(trial.query);
-      ASSERT_EQ(severity_of(trial.query, truth), Severity::plain) << k << ", level " << trial.level;
-      hits += truth.hit();
-    }
-    EXPECT_GT(hits, 4'000);
-  }
 }
 
 TEST(Causes, PublishedFailuresAreLogicAndNaiveErrorsAreRounding) {

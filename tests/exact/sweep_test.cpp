@@ -269,7 +269,7 @@ TEST(Thresholds, NaiveDoubleLosesTheFirstHitToUnderflowBelowMinus358) {
   const SweepPlan plan = plan_of({method("sf-double")}, "scale", 656);
   const Sweep result = sweep(plan);
   for (const Threshold& t : thresholds_of(plan, result)) {
-    if (t.format == Format::binary32 || t.side == Side::up) continue;
+    if (t.format == Format::binary32 || t.side == AxisSide::up) continue;
     ASSERT_TRUE(t.before);
     EXPECT_LE(t.first.value, -358) << "docs: none wrong at 2^-358 on small integers";
     EXPECT_GE(t.first.value, -400);
@@ -278,12 +278,12 @@ TEST(Thresholds, NaiveDoubleLosesTheFirstHitToUnderflowBelowMinus358) {
 
 TEST(Thresholds, ValuesRunOutwardFromTheEasiest) {
   const StressAxis& scale = *find_stress_axis("scale");
-  EXPECT_EQ(values_outward(scale, Format::binary64, Side::up).front(), 0);
-  EXPECT_EQ(values_outward(scale, Format::binary64, Side::down).front(), 0);
-  EXPECT_EQ(values_outward(scale, Format::binary64, Side::down).back(), -1074);
-  EXPECT_TRUE(values_outward(*find_stress_axis("fill"), Format::binary64, Side::down).empty());
-  EXPECT_TRUE(values_outward(*find_stress_axis("ulps"), Format::binary64, Side::up).empty());
-  EXPECT_EQ(values_outward(*find_stress_axis("ulps"), Format::binary64, Side::down).back(), 0);
+  EXPECT_EQ(values_outward(scale, Format::binary64, AxisSide::up).front(), 0);
+  EXPECT_EQ(values_outward(scale, Format::binary64, AxisSide::down).front(), 0);
+  EXPECT_EQ(values_outward(scale, Format::binary64, AxisSide::down).back(), -1074);
+  EXPECT_TRUE(values_outward(*find_stress_axis("fill"), Format::binary64, AxisSide::down).empty());
+  EXPECT_TRUE(values_outward(*find_stress_axis("ulps"), Format::binary64, AxisSide::up).empty());
+  EXPECT_EQ(values_outward(*find_stress_axis("ulps"), Format::binary64, AxisSide::down).back(), 0);
 }
 
 TEST(Sweeps, TheRecordDoesNotDependOnThreads) {
@@ -300,24 +300,27 @@ TEST(Sweeps, TheRecordDoesNotDependOnThreads) {
 TEST(Sweeps, EveryAnswerIsCountedOnceAndChancesAddUp) {
   const SweepPlan plan = plan_of({method("sf-double"), method("haines-double")}, "polygon-fill", 200);
   for (const auto& [place, c] : sweep(plan).counts) {
-    EXPECT_EQ(c.chances(Outcome::false_hit) + c.chances(Outcome::false_miss), c.count.judged());
-    for (const Outcome o : wrong_outcomes) EXPECT_LE(c.failures(o), c.chances(o));
+    EXPECT_EQ(c.chances(SweptOutcome::false_hit) + c.chances(SweptOutcome::false_miss), c.count.judged());
+    for (const SweptOutcome o : swept_outcomes) EXPECT_LE(c.failures(o), c.chances(o));
     EXPECT_EQ(c.count.asked, 100u) << "half of 200 are segments";
   }
 }
 
 // --- failure maps ---------------------------------------------------------------------------------------------------
 
-Truth middle_of(const char* map, Format format) {
-  return exact_truth(query_of_pixel(*find_map_contact(map), format, 256, 128, 128));
-}
+constexpr ProbeKind probe_kinds[] = {ProbeKind::segment, ProbeKind::ray};
 
 TEST(FailureMaps, TheMiddleIsTheContactThatTheMapIsNamedFor) {
   for (const Format format : formats) {
-    EXPECT_EQ(middle_of("edge", format).contact, Contact::edge);
-    EXPECT_EQ(middle_of("vertex", format).contact, Contact::vertex);
-    EXPECT_EQ(middle_of("plane", format).contact, Contact::coplanar);
-    EXPECT_EQ(middle_of("end", format).contact, Contact::interior);
+    for (const ProbeKind probe : probe_kinds) {
+      const auto middle_of = [&](const char* map) {
+        return exact_truth(query_of_pixel({find_map_contact(map), probe}, format, 128, 128)).contact;
+      };
+      EXPECT_EQ(middle_of("edge"), Contact::edge);
+      EXPECT_EQ(middle_of("vertex"), Contact::vertex);
+      EXPECT_EQ(middle_of("plane"), Contact::coplanar);
+      EXPECT_EQ(middle_of("end"), Contact::interior);
+    }
   }
 }
 
@@ -325,33 +328,39 @@ TEST(FailureMaps, EveryPixelIsAnotherCaseExactInItsFormat) {
   for (const MapContact& contact : all_map_contacts()) {
     for (const Format format : formats) {
       std::set<std::string> lines;
-      for (int y = 0; y < 256; y += 15) {
-        for (int x = 0; x < 256; x += 15) {
-          const Query query = query_of_pixel(contact, format, 256, x, y);
-          for (const Point3& p : points_of(query)) ASSERT_TRUE(is_exact_in(p, format)) << contact.name;
-          lines.insert(line_of({.query = query, .format = format}));
+      for (const ProbeKind probe : probe_kinds) {
+        for (int y = 0; y < 256; y += 15) {
+          for (int x = 0; x < 256; x += 15) {
+            const Query query = query_of_pixel({&contact, probe}, format, x, y);
+            for (const Point3& p : points_of(query)) ASSERT_TRUE(is_exact_in(p, format)) << contact.name;
+            if (probe == ProbeKind::ray) {
+              ASSERT_TRUE(is_exact_in(std::get<Ray>(query.probe).d.v, format)) << contact.name;
+            }
+            lines.insert(line_of({.query = query, .format = format}));
+          }
         }
       }
-      EXPECT_EQ(lines.size(), 18u * 18u);
+      EXPECT_EQ(lines.size(), 2 * 18u * 18u);
     }
   }
 }
 
-/// Below the diagonal, and on it: by the sign of x − y alone.
+/// Below the diagonal, and on it: by the sign of x − y alone. So it is of a ray, whose direction has x = y.
 TEST(FailureMaps, TheTruthOfAnEdgeIsADiagonal) {
-  const MapPlan plan{.methods = {method("sf-filtered"), method("mt-double")},
-                     .contact = find_map_contact("edge"),
-                     .size = 64,
-                     .threads = 2};
-  const FailureMap map = failure_map(plan);
-  for (std::size_t y = 0; y < 64; ++y) {
-    for (std::size_t x = 0; x < 64; ++x) EXPECT_EQ(map.truth.at(Format::binary64)[y][x] == 'h', x >= y);
+  for (const ProbeKind probe : probe_kinds) {
+    const MapPlan plan{.methods = {method("sf-filtered"), method("mt-double")},
+                       .map = {find_map_contact("edge"), probe, 64},
+                       .threads = 2};
+    const FailureMap map = failure_map(plan);
+    for (std::size_t y = 0; y < 64; ++y) {
+      for (std::size_t x = 0; x < 64; ++x) EXPECT_EQ(map.truth.at(Format::binary64)[y][x] == 'h', x >= y);
+    }
+    EXPECT_EQ(map.panels[0].counts, (std::map<Outcome, std::uint64_t>{{Outcome::right, 4096}}));
+    EXPECT_GT(map.panels[1].counts.at(Outcome::false_hit), 0u);
+    MapPlan other = plan;
+    other.threads = 3;
+    EXPECT_EQ(to_json_text(plan, map), to_json_text(other, failure_map(other)));
   }
-  EXPECT_EQ(map.panels[0].counts, (std::map<Outcome, std::uint64_t>{{Outcome::right, 4096}}));
-  EXPECT_GT(map.panels[1].counts.at(Outcome::false_hit), 0u);
-  MapPlan other = plan;
-  other.threads = 3;
-  EXPECT_EQ(to_json_text(plan, map), to_json_text(other, failure_map(other)));
 }
 
 }  // namespace

@@ -97,6 +97,20 @@ int ask_polygon(int, const double coordinates[6], const tribunal_polygon* polygo
 const tribunal_plugin plugin = {TRIBUNAL_PLUGIN_ABI,  "faulty", "segment, ray; any triangle",
                                 "fails now and then", nullptr,  TRIBUNAL_BINARY64,
                                 TRIBUNAL_CLOSED,      ask,      BATCH};
+#ifdef CHANGES
+/// What a process that loads the library later finds changed: a file in the working directory says that one was before.
+const tribunal_plugin* describe_anew() {
+  static tribunal_plugin changed = plugin;
+  if (std::FILE* const before = std::fopen("described", "r")) {
+    std::fclose(before);
+    changed.CHANGES = 1;
+  } else if (std::FILE* const first = std::fopen("described", "w")) {
+    std::fclose(first);
+  }
+  return &changed;
+}
+#endif
+
 const tribunal_polygon_plugin polygons = {TRIBUNAL_PLUGIN_ABI, 0, ask_polygon};
 
 #ifdef CRASHES_ON_LOAD
@@ -105,5 +119,9 @@ __attribute__((constructor)) void crash_on_load() { std::abort(); }
 
 }  // namespace
 
+#ifdef CHANGES
+extern "C" const tribunal_plugin* tribunal_plugin_describe() { return describe_anew(); }
+#else
 extern "C" const tribunal_plugin* tribunal_plugin_describe() { return &plugin; }
+#endif
 extern "C" const tribunal_polygon_plugin* tribunal_plugin_describe_polygons() { return &polygons; }

@@ -13,6 +13,7 @@
 #include "exact/filtered/rounded_parameter.h"
 #include "exact/methods/methods.h"
 #include "exact/trial/judge.h"
+#include "tracer/leak/paint.h"
 #include "tracer/leak/report.h"
 
 namespace tribunal::leak {
@@ -337,14 +338,40 @@ TEST(MeshTrial, LeaksAreCasesOfOneTriangle) {
   EXPECT_EQ(leaks, 4u);
 }
 
-TEST(MeshTrial, TheMostLeakingFaceIsRed) {
+TEST(MeshTrial, TheMostLeakingFaceIsDarkRed) {
   const Surface surface(octahedron(), Format::binary64, "octahedron");
   SubjectReport report = report_of(surface, sound());
-  EXPECT_EQ(painted(surface, report).find("255 0 0"), std::string::npos);
+  EXPECT_EQ(painted(surface, report).find(" 112 0 16\n"), std::string::npos);
   report.leaks_at[3] = 7;
   report.leaks_at[4] = 2;
-  EXPECT_NE(painted(surface, report).find(" 255 0 0\n"), std::string::npos);
+  EXPECT_NE(painted(surface, report).find(" 112 0 16\n"), std::string::npos);
   EXPECT_EQ(worst_faces(report, 3), "  worst faces (leaks): 3 (7), 4 (2)\n");
+}
+
+/// Relative luminance, as CIE has it.
+double luminance(const FaceColour& c) {
+  const auto linear = [](std::uint8_t x) {
+    const double share = x / 255.0;
+    return share <= 0.04045 ? share / 12.92 : std::pow((share + 0.055) / 1.055, 2.4);
+  };
+  return 0.2126 * linear(c[0]) + 0.7152 * linear(c[1]) + 0.0722 * linear(c[2]);
+}
+
+/// What the header says of colours: the more the darker, in both ramps; leaks before errors; the worst leaks darkest.
+TEST(Paint, IsDarkerWhereMoreWentWrong) {
+  const FaceColour none = colour_of(0, 100, 0, 100);
+  EXPECT_TRUE(none[0] == none[1] && none[1] == none[2]) << "grey";
+  double leaks = luminance(none), errors = luminance(none);
+  for (const std::uint64_t n : {1U, 2U, 5U, 10U, 20U, 40U, 70U, 100U}) {
+    const FaceColour leaking = colour_of(n, 100, 0, 100), erring = colour_of(0, 100, n, 100);
+    EXPECT_LT(luminance(leaking), leaks) << n;
+    EXPECT_LT(luminance(erring), errors) << n;
+    EXPECT_GT(leaking[0], leaking[2]) << "warm";
+    EXPECT_LT(erring[0], erring[2]) << "cold";
+    EXPECT_EQ(colour_of(n, 100, 99, 100), leaking);
+    leaks = luminance(leaking), errors = luminance(erring);
+  }
+  EXPECT_LT(leaks, errors / 5) << "the worst leaks are what the eye finds";
 }
 
 }  // namespace

@@ -1,14 +1,9 @@
-// tribunal demo: runs the other commands one after the other and makes a page of what they wrote.
-#include <algorithm>
-#include <chrono>
-#include <cstdio>
+// tribunal demo: runs the other commands one after the other, the last of which makes a page of what they wrote.
 #include <memory>
 
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
 #include "exact/cli/program.h"
-#include "exact/record/counterexample.h"
-#include "exact/report/page.h"
 #include "tracer/cli/command.h"
 #include "tracer/scene/read_scene.h"
 
@@ -18,13 +13,11 @@ namespace {
 struct Options {
   std::string out = "out", scene = "data/scenes/elephant.json";
   unsigned threads = 1;
+
+  std::string in(const std::string& name) const { return out + "/" + name; }
 };
 
-constexpr int stages = 5;
-
-/// The two methods that the page compares: the same test in double and in rational arithmetic.
-constexpr const char* floating = "sf-double";
-constexpr const char* exact = "sf-rational";
+constexpr int stages = 6;
 
 /// A command as one would type it, and the exit code that shows the expected result.
 struct Step {
@@ -49,15 +42,16 @@ int run_step(const Step& step) {
 
 bool is_interruption(int exit) { return exit == code(Exit::interrupted) || exit == code(Exit::terminated); }
 
-/// Runs steps, and keeps their command lines and the unexpected results.
+/// Runs steps, and keeps what ended otherwise than expected.
 class Runner {
  public:
+  explicit Runner(const Options& o) : threads_(std::to_string(o.threads)) {}
+
   void announce(int stage, const std::string& what) {
     print("\n" + std::to_string(stage) + "/" + std::to_string(stages) + " " + what + "\n");
   }
 
-  void run(const Step& step) {
-    lines_.push_back(step.line());
+  void run(Step step) {
     print("\n$ " + step.line() + "\n");
     const int exit = run_step(step);
     if (is_interruption(exit)) throw Failure(static_cast<Exit>(exit), "interrupted; no page written");
@@ -66,11 +60,17 @@ class Runner {
                           std::to_string(code(step.expected)));
   }
 
-  const std::vector<std::string>& lines() const { return lines_; }
+  /// The same with the demo's number of threads.
+  void run_threaded(Step step) {
+    step.arguments.insert(step.arguments.end(), {"--threads", threads_});
+    run(std::move(step));
+  }
+
   const std::vector<std::string>& unexpected() const { return unexpected_; }
 
  private:
-  std::vector<std::string> lines_, unexpected_;
+  std::string threads_;
+  std::vector<std::string> unexpected_;
 };
 
 /// Refuses a scene that cannot be read, before anything is run or written.
@@ -83,102 +83,74 @@ void require_scene(const std::string& file) {
   }
 }
 
-Json json_from(const std::string& file) { return parse_json(read_file(file), {file}); }
-
 void run_fuzz(Runner& runner, const Options& o) {
-  runner.announce(1, "fuzz: hunt for wrong answers of several methods");
-  runner.run({"fuzz",
-              declare_fuzz,
-              {"--method", "sf-float,sf-double,sf-double-eps,mt-float,mt-double,sf-epick", "--count", "400000",
-               "--keep", "5", "--threads", std::to_string(o.threads), "--out", o.out + "/" + demo_files::fuzz},
-              Exit::disagreement});
+  runner.announce(1, "fuzz: hunt for wrong answers of several methods, the certified one among them");
+  runner.run_threaded(
+      {"fuzz",
+       declare_fuzz,
+       {"--method", "sf-float,sf-double,sf-double-eps,sf-filtered,mt-float,mt-double,woop-double,sf-epick", "--count",
+        "400000", "--keep", "40", "--out", o.in("fuzz")},
+       Exit::disagreement});
 }
 
 void run_certify(Runner& runner, const Options& o) {
   runner.announce(2, "certify: one test in two arithmetics");
-  const auto certify = [&](const char* method, Exit expected) {
-    runner.run({"certify",
-                declare_certify,
-                {"--method", method, "--budget", "quick", "--threads", std::to_string(o.threads), "--out",
-                 o.out + "/" + certificate_directory(method)},
-                expected});
+  const auto certify = [&](const std::string& method, Exit expected) {
+    runner.run_threaded({"certify",
+                         declare_certify,
+                         {"--method", method, "--budget", "quick", "--out", o.in("certificate-" + method)},
+                         expected});
   };
-  certify(floating, Exit::disagreement);
-  certify(exact, Exit::ok);
+  certify("sf-double", Exit::disagreement);
+  certify("sf-filtered", Exit::ok);
 }
 
-constexpr const char* pictured[] = {"mt-float", "sf-double"};
-
-std::string stats_file(const Options& o, const std::string& method) {
-  return o.out + "/render/exact-" + method + ".json";
+void run_sweep(Runner& runner, const Options& o) {
+  runner.announce(3, "sweep: where does each method begin to fail?");
+  const std::string methods = "sf-float,sf-double,mt-double,sf-filtered";
+  runner.run_threaded(
+      {"sweep",
+       declare_sweep,
+       {"--method", methods, "--axis", "scale,sliver,grazing,ulps", "--count", "1312", "--out", o.in("sweep")}});
+  runner.run_threaded(
+      {"sweep", declare_sweep, {"--method", methods, "--map", "edge", "--map-size", "128", "--out", o.in("map")}});
 }
 
-/// Two renders for each method: the reference against the method, which gives the exact picture and the difference,
-/// and the method alone, which gives its own picture. Both round the scene to the method's format.
 void run_render(Runner& runner, const Options& o) {
-  runner.announce(3, "render: what wrong answers do to a picture");
-  make_directory(o.out + "/render");
-  const std::string threads = std::to_string(o.threads);
-  for (const std::string method : pictured) {
-    runner.run({"render",
-                declare_render,
-                {o.scene, "--method", exact, "--against", method, "-o", o.out + "/" + exact_picture(method), "--stats",
-                 stats_file(o, method), "--threads", threads}});
-    runner.run({"render",
-                declare_render,
-                {o.scene, "--method", method, "-o", o.out + "/" + own_picture(method), "--threads", threads}});
+  runner.announce(4, "render: what wrong answers do to a picture");
+  make_directory(o.in("render"));
+  for (const std::string method : {"mt-float", "sf-double"}) {
+    runner.run_threaded(
+        {"render",
+         declare_render,
+         {o.scene, "--method", method, "--against", "sf-filtered", "-o", o.in("render/" + method + ".png")}});
   }
 }
 
 void run_chart(Runner& runner, const Options& o) {
-  runner.announce(4, "chart: speed against accuracy");
-  runner.run(
-      {"chart", declare_chart, {"--threads", std::to_string(o.threads), "--out", o.out + "/" + demo_files::charts}});
+  runner.announce(5, "chart: speed against accuracy");
+  runner.run_threaded({"chart", declare_chart, {"--quick", "--out", o.in("charts")}});
 }
 
-/// Writes the plainest counterexample to a file of its own and adds it to the page, with what `replay` says of it.
-void add_counterexample(Tour& tour) {
-  tour.counterexample =
-      plainest(read_cases(tour.directory + "/" + certificate_directory(floating) + "/counterexamples.jsonl"));
-  write_file(tour.directory + "/" + demo_files::counterexample, to_lines(std::vector{tour.counterexample}));
-  bool wrong = false;
-  tour.replay = replay(tour.counterexample, wrong);
-}
-
-std::vector<Case> cases_in(const std::string& file) {
-  return read_file(file).empty() ? std::vector<Case>{} : read_cases(file);
-}
-
-Tour read_tour(const Options& o, const Runner& runner) {
-  Tour tour;
-  tour.directory = o.out;
-  tour.commands = runner.lines();
-  tour.floating = certificate_figures(json_from(o.out + "/" + certificate_directory(floating) + "/certificate.json"));
-  tour.exact = certificate_figures(json_from(o.out + "/" + certificate_directory(exact) + "/certificate.json"));
-  tour.fuzz = fuzz_figures(json_from(o.out + "/" + demo_files::fuzz + "/summary.json"));
-  for (const std::string method : pictured) {
-    const std::string cases = o.out + "/render/exact-" + method + ".cases.jsonl";
-    tour.pictures.push_back(picture_figures(json_from(stats_file(o, method)), cases_in(cases)));
-  }
-  tour.chart = json_from(o.out + "/" + demo_files::charts + "/chart.json");
-  add_counterexample(tour);
-  return tour;
+void run_report(Runner& runner, const Options& o) {
+  runner.announce(6, "report: all of it as one page");
+  runner.run({"report",
+              declare_report,
+              {o.in("fuzz"), o.in("certificate-sf-double"), o.in("certificate-sf-filtered"), o.in("sweep"), o.in("map"),
+               o.in("render"), o.in("charts"), "--out", o.in("index.html")}});
 }
 
 int run(const Options& o) {
-  const auto start = std::chrono::steady_clock::now();
   require_scene(o.scene);
   make_directory(o.out);
-  Runner runner;
+  Runner runner(o);
   run_fuzz(runner, o);
   run_certify(runner, o);
+  run_sweep(runner, o);
   run_render(runner, o);
   run_chart(runner, o);
-  runner.announce(5, "page");
-  Tour tour = read_tour(o, runner);
-  tour.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  write_file(o.out + "/index.html", page(tour));
-  print("\nOpen " + o.out + "/index.html\n");
+  run_report(runner, o);
+  print("\nOpen " + o.in("index.html") + "\n");
   for (const std::string& line : runner.unexpected()) print("UNEXPECTED: " + line + "\n");
   return code(runner.unexpected().empty() ? Exit::ok : Exit::disagreement);
 }

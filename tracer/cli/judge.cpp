@@ -1,5 +1,6 @@
 // tribunal judge: answers computed anywhere, compared with the exact ones.
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <memory>
 
@@ -17,12 +18,13 @@ namespace {
 
 struct Options {
   std::string cases{}, convention = "closed";
-  bool culls = false, towards_source = false;
+  std::string boundary{}, ends = "closed", bounds = "closed";
+  bool culls = false, no_degenerate = false, towards_source = false;
   MeshAnswers mesh{};  ///< with the options that both ways to judge have
 };
 
-/// What the answers may promise, by the word that says it. Beside `closed` and `transversal` these are readings of the
-/// boundary, of triangles and of rings alike.
+/// What the answers may promise, by the word that says it: how coplanar contacts are read, and in the same word most
+/// often the boundary, of triangles and of rings alike.
 struct Promise {
   std::string word;
   Convention convention = Convention::closed;
@@ -33,7 +35,8 @@ const std::vector<Promise>& promises() {
   static const std::vector<Promise> table = {{"closed"},
                                              {"transversal", Convention::transversal},
                                              {"open", Convention::transversal, Boundary::open},
-                                             {"half-open", Convention::transversal, Boundary::half_open}};
+                                             {"half-open", Convention::transversal, Boundary::half_open},
+                                             {"unspecified", Convention::unspecified}};
   return table;
 }
 
@@ -43,10 +46,35 @@ std::vector<std::string> promise_words() {
   return words;
 }
 
-Contract contract_of(const Options& o) {
+constexpr std::array boundaries = {Boundary::closed, Boundary::open, Boundary::half_open, Boundary::unspecified};
+constexpr std::array all_ends = {Ends::closed, Ends::open, Ends::unspecified};
+
+template <class T, std::size_t n>
+std::vector<std::string> words_of(const std::array<T, n>& values) {
+  std::vector<std::string> words;
+  for (const T value : values) words.emplace_back(name_of(value));
+  return words;
+}
+
+/// The value of a word that the command line has checked.
+template <class T, std::size_t n>
+T value_named(const std::array<T, n>& values, const std::string& word) {
+  return *std::ranges::find_if(values, [&](T value) { return name_of(value) == word; });
+}
+
+/// Rays with bounds are taken if any are asked about, so that the contract of all other answers reads as ever.
+Contract contract_of(const Options& o, bool any_bounds) {
   const Promise& p = *std::ranges::find(promises(), o.convention, &Promise::word);
-  return {
-      .polygons = Polygons::any, .convention = p.convention, .boundary = p.boundary, .polygon_boundary = p.boundary};
+  const Boundary boundary = o.boundary.empty() ? p.boundary : value_named(boundaries, o.boundary);
+  return {.probes = {.bounds = any_bounds},
+          .triangles = o.no_degenerate ? Triangles::proper : Triangles::any,
+          .polygons = Polygons::any,
+          .convention = p.convention,
+          .boundary = boundary,
+          .polygon_boundary = boundary,
+          .ends = value_named(all_ends, o.ends),
+          .bounds = value_named(all_ends, o.bounds),
+          .culling = o.culls ? Culling::back_faces : Culling::none};
 }
 
 /// The log of a trial that consists of these cases and answers. It is about triangles if there are any.
@@ -87,12 +115,14 @@ int run_cases(const Options& o) {
   if (o.cases == "-" && o.mesh.answers == "-")
     throw Failure(Exit::usage, "--cases and --answers are both standard input");
   const Exam exam = read_exam(o.cases, o.mesh.trial.threads);
+  const Contract contract =
+      contract_of(o, std::ranges::any_of(exam.cases, [](const Case& c) { return c.query.bounds.has_value(); }));
   std::vector<ChainedLog> logs;
   std::vector<Certificate> all;
   std::string text;
   Count sum;
   for (const AnswerSheet& sheet : read_answers(o.mesh.answers, exam)) {
-    logs.push_back(log_of(exam, sheet, contract_of(o)));
+    logs.push_back(log_of(exam, sheet, contract));
     all.push_back(certificate_from(logs.back().so_far(), o.mesh.answers));
     sum += all.back().own();
     text += to_summary(all.back());
@@ -110,8 +140,7 @@ int run(const Options& o) {
   }
   if (cases) return run_cases(o);
   MeshAnswers answers = o.mesh;
-  answers.promises.contract = contract_of(o);
-  if (o.culls) answers.promises.contract.culling = Culling::back_faces;
+  answers.promises.contract = contract_of(o, false);
   if (o.towards_source) answers.promises.sense = leak::NormalSense::towards_source;
   return judge_mesh_answers(answers);
 }
@@ -124,12 +153,25 @@ Action declare_judge(Arguments& arguments) {
   arguments.option("--answers", o->mesh.answers, "answer file (JSON Lines), one answer a case or ray, and method")
       .required();
   arguments
-      .option("--convention", o->convention,
-              "what the answers promise: closed; transversal (coplanar contacts are misses); open (so are contacts "
-              "with the "
-              "boundary); half-open (transversal, and nothing is promised of the boundary of a face alone)")
+      .option(
+          "--convention", o->convention,
+          "what the answers promise: closed; transversal (coplanar contacts are misses); open (so are contacts "
+          "with the "
+          "boundary); half-open (transversal, and nothing is promised of the boundary of a face alone); unspecified "
+          "(nothing is promised of coplanar contacts)")
       .one_of(promise_words())
       .shows_default();
+  arguments
+      .option("--boundary", o->boundary, "of contacts with edges and vertices, if it is not what --convention says")
+      .one_of(words_of(boundaries));
+  arguments.option("--ends", o->ends, "of contacts by an end of the probe alone: hits, misses, or nothing is promised")
+      .one_of(words_of(all_ends))
+      .shows_default();
+  arguments.option("--bounds", o->bounds, "the same of tmin and tmax, where a ray has bounds")
+      .one_of(words_of(all_ends))
+      .shows_default();
+  arguments.flag("--no-degenerate", o->no_degenerate,
+                 "nothing is promised of triangles without area and of probes that are points");
   add_threads_option(arguments, o->mesh.trial.threads);
   arguments.option("--out", o->mesh.trial.out,
                    "directory for the report, as certify writes it: certificate.json and .md, log.jsonl, "
@@ -150,7 +192,7 @@ Action declare_judge(Arguments& arguments) {
   arguments.flag("--json", o->mesh.trial.json, "all counts as JSON instead of the table");
   arguments.needs("--rays", "--mesh");
   for (const char* option :
-       {"--culls", "--sorted", "--most-ulps", "--most-degrees", "--normals-towards-source", "--by-aim", "--json"}) {
+       {"--sorted", "--most-ulps", "--most-degrees", "--normals-towards-source", "--by-aim", "--json"}) {
     arguments.needs(option, "--mesh");
   }
   return [o] { return run(*o); };

@@ -7,6 +7,7 @@
 #include "exact/base/files.h"
 #include "exact/record/counterexample.h"
 #include "exact/record/environment.h"
+#include "tracer/leak/paint.h"
 
 namespace tribunal {
 namespace {

@@ -12,9 +12,10 @@
 #include "exact/mesh/read_mesh.h"
 #include "exact/mesh/topology.h"
 #include "exact/record/counterexample.h"
+#include "exact/record/environment.h"
 #include "tracer/cli/command.h"
 #include "tracer/pov/export_pov.h"
-#include "tracer/render/compare.h"
+#include "tracer/render/findings.h"
 #include "tracer/render/heat_map.h"
 #include "tracer/scene/framed.h"
 #include "tracer/scene/read_scene.h"
@@ -32,15 +33,6 @@ struct Options {
   std::string size, eye;  ///< "WIDTHxHEIGHT", "X,Y,Z"; empty where the scene, or the framing of a mesh, decides
   std::string up = "y";
   double scale = 1;
-};
-
-/// The differences that --against found.
-struct Findings {
-  std::vector<DifferingPixel> pixels;
-  std::size_t colours = 0;               ///< pixels of another colour
-  std::array<std::size_t, 4> by_kind{};  ///< examined pixels by the kind of the first ray on which the methods differ
-  std::size_t examined = 0, order_only = 0, starts = 0;
-  std::vector<Case> cases;
 };
 
 Method method_named(const std::string& name) {
@@ -122,24 +114,6 @@ std::string beside(const std::string& out, const char* suffix) {
   return std::filesystem::path(out).replace_extension(suffix).string();
 }
 
-Findings examine(const World& world, const Method& a, const Method& b, const Rendering& ra, const Rendering& rb,
-                 int depth, std::size_t max_cases) {
-  Findings f;
-  f.pixels = differing_pixels(ra, rb);
-  for (const DifferingPixel& pixel : f.pixels) {
-    f.colours += pixel.colour_differs;
-    if (f.cases.size() == max_cases) continue;
-    const std::optional<Parting> parting = parting_at(world, a, b, pixel, depth);
-    if (!parting) continue;
-    ++f.examined;
-    ++f.by_kind[static_cast<std::size_t>(parting->kind)];
-    f.order_only += !parting->face && !parting->other_start;
-    f.starts += !parting->face && parting->other_start;
-    if (parting->face) f.cases.push_back(to_case(world, a, b, pixel, *parting));
-  }
-  return f;
-}
-
 // --- what a program reads ----------------------------------------------------------------------------------------
 
 double share(std::uint64_t part, std::uint64_t whole) {
@@ -174,21 +148,19 @@ Json to_json(const Method& method, const RayTally& t) {
         {"unproved", method.contract.exact ? Json(t.starts_unproved) : Json("all")}}}};
 }
 
-Json to_json(const Findings& f, const Method& a, const Method& b) {
-  Json kinds;
-  for (const RayKind k : all_ray_kinds) kinds[std::string(name_of(k))] = f.by_kind[static_cast<std::size_t>(k)];
-  return {{"method", a.name},
-          {"against", b.name},
-          {"pixels", f.pixels.size()},
-          {"pixels_of_other_colour", f.colours},
-          {"examined", f.examined},
-          {"parted_on", kinds},
-          {"parted_on_visibility", f.by_kind[0]},
-          {"parted_on_shadow", f.by_kind[1]},
-          {"parted_on_secondary", f.by_kind[2] + f.by_kind[3]},
-          {"parted_on_order_only", f.order_only},
-          {"parted_on_start_only", f.starts},
-          {"cases", f.cases.size()}};
+/// NAME.diff.json: all that a page about the two pictures needs.
+std::string to_text(const Options& o, Json stats, const Findings& f) {
+  const auto name = [&](const char* suffix) {
+    return std::filesystem::path(beside(o.out, suffix)).filename().string();
+  };
+  stats["files"] = {{"image", std::filesystem::path(o.out).filename().string()},
+                    {"against", name(".against.png")},
+                    {"difference", name(".diff.png")},
+                    {"cases", name(".cases.jsonl")}};
+  if (o.heat) stats["files"].update({{"tests", name(".tests.png")}, {"stages", name(".stages.png")}});
+  stats["environment"] = environment();
+  stats["pixels"] = pixels_json(f);
+  return stats.dump(1) + "\n";
 }
 
 // --- what a person reads -----------------------------------------------------------------------------------------
@@ -275,9 +247,9 @@ std::string describe(const Findings& f, const Options& o, std::size_t pixels) {
   text += formatted("they part on visibility: %zu, shadow: %zu, secondary rays: %zu (reflection %zu, refraction %zu)\n",
                     f.by_kind[0], f.by_kind[1], f.by_kind[2] + f.by_kind[3], f.by_kind[2], f.by_kind[3]);
   text += formatted("of these, only the order of hits differs: %zu; only the starts of the rays differ: %zu\n",
-                    f.order_only, f.starts);
+                    f.count(Why::order), f.count(Why::start));
   text += formatted("written as cases: %zu\n", f.cases.size());
-  if (f.examined < f.pixels.size()) text += formatted("(of the first %zu pixels; see --max-cases)\n", f.examined);
+  if (f.examined() < f.pixels.size()) text += formatted("(of the first %zu pixels; see --max-cases)\n", f.examined());
   return text;
 }
 
@@ -306,8 +278,9 @@ std::vector<Output> outputs_of(const Options& o) {
     add("--heat", beside(o.out, ".stages.png"));
   }
   if (!o.against.empty()) {
-    add("--against", beside(o.out, ".diff.png"));
-    add("--against", beside(o.out, ".cases.jsonl"));
+    for (const char* suffix : {".against.png", ".diff.png", ".cases.jsonl", ".diff.json"}) {
+      add("--against", beside(o.out, suffix));
+    }
   }
   if (!o.pov.empty()) {
     add("--export-pov", o.pov);
@@ -387,10 +360,13 @@ int run(const Options& o) {
         whole(greatest_tests(renderings[0])));
   }
   if (methods.size() == 2) {
-    const Findings f = examine(world, methods[0], methods[1], renderings[0], renderings[1], depth, o.max_cases);
+    const std::vector<DifferingPixel> differing = differing_pixels(renderings[0], renderings[1]);
+    const Findings f = examine(world, methods[0], methods[1], differing, depth, o.max_cases);
     stats["difference"] = to_json(f, methods[0], methods[1]);
-    write_file(beside(o.out, ".diff.png"), to_png(difference_image(renderings[0].image, f.pixels)));
+    write_file(beside(o.out, ".against.png"), to_png(renderings[1].image));
+    write_file(beside(o.out, ".diff.png"), to_png(difference_image(renderings[0].image, differing)));
     write_file(beside(o.out, ".cases.jsonl"), to_lines(f.cases));
+    write_file(beside(o.out, ".diff.json"), to_text(o, stats, f));
     report += describe(f, o, renderings[0].image.pixels.size());
   }
   if (!o.pov.empty()) {

@@ -91,13 +91,37 @@ Range with_exact_differences(Range range, const Mark& mark, int axis) {
   return part.lo <= part.hi ? part : range;
 }
 
-Point3 draw_source(const Surface& surface, const Mark& mark, bool inside, bool exactly, Draw& draw) {
+/// From where a ray is to start, and whether its source is drawn so that the direction can be exact.
+struct Start {
+  bool inside, exactly;
+  std::optional<int> distance{};  ///< log2 of how far the source is in sizes of the surface, if that is given
+};
+
+/// A point of the cube around the box's middle whose faces are that far from it.
+Point3 draw_far_source(const Surface& surface, const Mark& mark, const Start& start, Draw& draw) {
+  const Box& box = surface.bounds();
+  const Point3 middle = box.lo / 2.0 + box.hi / 2.0, extent = box.hi - box.lo;
+  const double far = std::ldexp(std::max({extent.x, extent.y, extent.z}), *start.distance);
+  const int outward = static_cast<int>(draw.below(3));
   Point3 o;
   for (int axis = 0; axis < 3; ++axis) {
-    Range range = about(surface.bounds(), axis, inside);
+    const bool level = draw.below(8) == 0;
+    o[axis] = draw_between(middle[axis] - far, middle[axis] + far, !start.exactly, surface.format(), draw);
+    if (level) o[axis] = mark.points[0][axis];
+  }
+  const bool above = draw.below(2) == 0;
+  o[outward] = in_format(middle[outward] + (above ? far : -far), surface.format());
+  return o;
+}
+
+Point3 draw_source(const Surface& surface, const Mark& mark, const Start& start, Draw& draw) {
+  if (start.distance) return draw_far_source(surface, mark, start, draw);
+  Point3 o;
+  for (int axis = 0; axis < 3; ++axis) {
+    Range range = about(surface.bounds(), axis, start.inside);
     const bool level = draw.below(8) == 0;  // a direction that is 0 on this axis
-    if (exactly) range = with_exact_differences(range, mark, axis);
-    o[axis] = draw_between(range.lo, range.hi, !exactly, surface.format(), draw);
+    if (start.exactly) range = with_exact_differences(range, mark, axis);
+    o[axis] = draw_between(range.lo, range.hi, !start.exactly, surface.format(), draw);
     if (level) o[axis] = mark.points[0][axis];
   }
   return o;
@@ -117,18 +141,18 @@ Ray ray_from(const Point3& o, const Mark& mark, Format format) {
 
 /// The best of several draws: a ray from the wanted side that meets its mark; else one from the wanted side; else
 /// any.
-std::optional<Ray> draw_ray(const Surface& surface, const Mark& mark, bool inside, bool exactly, Draw& draw) {
+std::optional<Ray> draw_ray(const Surface& surface, const Mark& mark, const Start& start, Draw& draw) {
   constexpr int attempts = 12;
-  const Side wanted = inside ? Side::inside : Side::outside;
+  const Side wanted = start.inside ? Side::inside : Side::outside;
   std::optional<Ray> on_any_side, on_wanted_side;
   for (int i = 0; i < attempts; ++i) {
-    const Ray ray = ray_from(draw_source(surface, mark, inside, exactly, draw), mark, surface.format());
+    const Ray ray = ray_from(draw_source(surface, mark, start, draw), mark, surface.format());
     if (!is_finite(ray) || ray.d.v == Point3(0)) continue;
     const Side side = surface.tree().inside(ray.o);
     if (side == Side::boundary) continue;
     on_any_side = ray;
     if (side != wanted) continue;
-    if (!exactly || is_on_mark(surface, ray, mark)) return ray;
+    if (!start.exactly || is_on_mark(surface, ray, mark)) return ray;
     on_wanted_side = ray;
   }
   return on_wanted_side ? on_wanted_side : on_any_side;
@@ -153,6 +177,16 @@ void nudge(Ray& ray, Format format, Draw& draw) {
   x = moved_by_ulps(x, up ? n : -n, format);
 }
 
+/// A ray at the mark, with a direction of any size, moved off the mark if `nudged`.
+std::optional<AimedRay> aimed_at(const Mark& mark, const Surface& surface, const Start& start, bool nudged,
+                                 Draw& draw) {
+  std::optional<Ray> ray = draw_ray(surface, mark, start, draw);
+  if (!ray) return std::nullopt;
+  scale(ray->d, surface.format(), draw);
+  if (nudged) nudge(*ray, surface.format(), draw);
+  return AimedRay{*ray, mark.aim, mark.at};
+}
+
 }  // namespace
 
 std::optional<AimedRay> aimed_ray(const Surface& surface, std::uint64_t seed, std::uint64_t k) {
@@ -161,11 +195,15 @@ std::optional<AimedRay> aimed_ray(const Surface& surface, std::uint64_t seed, st
   const bool inside = draw.below(2) == 0 && surface.topology().closed();
   const bool exactly = draw.below(2) == 0;
   const bool nudged = draw.below(2) == 0;
-  std::optional<Ray> ray = draw_ray(surface, mark, inside, exactly, draw);
-  if (!ray) return std::nullopt;
-  scale(ray->d, surface.format(), draw);
-  if (nudged) nudge(*ray, surface.format(), draw);
-  return AimedRay{*ray, mark.aim, mark.at};
+  return aimed_at(mark, surface, {inside, exactly}, nudged, draw);
+}
+
+std::optional<AimedRay> aimed_ray_from_afar(const Surface& surface, int distance, std::uint64_t seed, std::uint64_t k) {
+  Draw draw(stream_of("sweep afar"), seed, std::uint64_t{static_cast<std::uint32_t>(distance)} << 32 | k);
+  const Mark mark = mark_of(surface, k, draw);
+  const bool exactly = draw.below(2) == 0;
+  const bool nudged = draw.below(2) == 0;
+  return aimed_at(mark, surface, {.inside = false, .exactly = exactly, .distance = distance}, nudged, draw);
 }
 
 }  // namespace tribunal::leak

@@ -34,4 +34,8 @@ struct AimedRay {
 /// place of one coordinate beside either. Nothing if no source off the surface was found.
 std::optional<AimedRay> aimed_ray(const Surface& surface, std::uint64_t seed, std::uint64_t k);
 
+/// The same from outside alone: the source is 2^`distance` times the largest extent of the surface's box away from the
+/// box's middle, along the axis on which it is farthest. Needs distance ≥ 0, and a source within the format.
+std::optional<AimedRay> aimed_ray_from_afar(const Surface& surface, int distance, std::uint64_t seed, std::uint64_t k);
+
 }  // namespace tribunal::leak

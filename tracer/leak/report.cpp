@@ -150,6 +150,18 @@ std::vector<std::uint32_t> by_count(const std::vector<std::uint32_t>& counts) {
   return faces;
 }
 
+/// The faces with the most leaks, with their corners, so that whoever reads it can show where they are.
+Json worst_json(const Surface& surface, const SubjectReport& report, std::size_t most) {
+  Json faces = Json::array();
+  for (const std::uint32_t f : by_count(report.leaks_at)) {
+    if (faces.size() == most) break;
+    const auto& [a, b, c] = surface.triangle(f);
+    faces.push_back(
+        {{"face", f}, {"leaks", report.leaks_at[f]}, {"tri", {from_point(a), from_point(b), from_point(c)}}});
+  }
+  return faces;
+}
+
 }  // namespace
 
 std::string table(const std::vector<Subject>& subjects, const LeakReport& report, Format format, bool each_aim) {
@@ -216,6 +228,7 @@ Json summary(const Surface& surface, const std::vector<Subject>& subjects, const
     if (s.worst_ulps > 0) row["worst_t_ulps"] = s.worst_ulps;
     if (s.worst_degrees > 0) row["worst_normal_degrees"] = s.worst_degrees;
     if (!s.faults.empty()) row["faults"] = s.faults;
+    if (Json faces = worst_json(surface, s, 20); !faces.empty()) row["worst_faces"] = std::move(faces);
     if (!subjects[i].tells_parity) row["all"].erase("parity");
     rows.push_back(std::move(row));
   }
@@ -238,33 +251,6 @@ std::string worst_faces(const SubjectReport& report, std::size_t most) {
             std::to_string(report.leaks_at[faces[i]]) + ")";
   }
   return text.empty() ? "" : text + "\n";
-}
-
-std::string painted(const Surface& surface, const SubjectReport& report) {
-  std::string text = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(surface.vertices().size()) +
-                     "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
-                     std::to_string(surface.face_count()) +
-                     "\nproperty list uchar int vertex_indices\nproperty uchar red\nproperty uchar green\n"
-                     "property uchar blue\nend_header\n";
-  char line[200];
-  for (const Point3& p : surface.vertices()) {
-    std::snprintf(line, sizeof line, "%.17g %.17g %.17g\n", p.x, p.y, p.z);
-    text += line;
-  }
-  const double most_leaks = *std::ranges::max_element(report.leaks_at);
-  const double most_errors = *std::ranges::max_element(report.errors_at);
-  for (std::uint32_t f = 0; f < surface.face_count(); ++f) {
-    int red = 200, green = 200, blue = 200;
-    if (report.leaks_at[f] > 0) {
-      red = 255, green = static_cast<int>(230 * (1 - report.leaks_at[f] / most_leaks)), blue = 0;
-    } else if (report.errors_at[f] > 0) {
-      red = green = static_cast<int>(170 * (1 - report.errors_at[f] / most_errors)), blue = 255;
-    }
-    const auto& c = surface.corners(f);
-    std::snprintf(line, sizeof line, "3 %u %u %u %d %d %d\n", c[0], c[1], c[2], red, green, blue);
-    text += line;
-  }
-  return text;
 }
 
 std::vector<Case> cases_of(const Surface& surface, const Subject& subject, const SubjectReport& report,

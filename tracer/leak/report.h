@@ -1,4 +1,4 @@
-// A mesh trial for people, for programs, and as pictures and cases.
+// A mesh trial for people, for programs, and as cases.
 #pragma once
 
 #include <string>
@@ -26,10 +26,6 @@ Json summary(const Surface& surface, const std::vector<Subject>& subjects, const
 /// The faces at which a subject had the most leaks or other errors, with their numbers of rays, for people; at most
 /// `most` of them.
 std::string worst_faces(const SubjectReport& report, std::size_t most);
-
-/// The surface as a PLY file: a face is grey where nothing went wrong, from yellow to red the more leaks it has, from
-/// pale to strong blue the more other errors.
-std::string painted(const Surface& surface, const SubjectReport& report);
 
 /// The findings as cases: the ray, and the triangle that should, or should not, have been reported. `mesh` is the
 /// file's name.

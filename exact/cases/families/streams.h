@@ -77,6 +77,7 @@ inline constexpr RandomStreams random_streams[] = {
     {"sweep vertices", 1310},
     {"sweep polygon-fill", 1311},
     {"sweep polygon-scale", 1312},
+    {"sweep afar", 1313},
 };
 
 /// Whether the rows are in ascending order and no number has two owners.

@@ -28,9 +28,11 @@ struct StressAxis {
   int (*easiest)(Format);                  ///< one of the values: away from it, on either side, cases become harder
   std::span<const int> (*values)(Format);  ///< in ascending order
   std::uint32_t stream;                    ///< in the register of random streams
-  /// The place of case k among its like: which class, or whether the probe is a ray, goes by k in turn.
-  Trial (*place)(Draw& draw, Format format, int value, std::uint64_t k);
+  /// The place of case k among its like: which class, or whether the probe is a ray, goes by k in turn. Null where the
+  /// rays are aimed at a mesh, and not each at a triangle of its own.
+  Trial (*place)(Draw& draw, Format format, int value, std::uint64_t k) = nullptr;
 
+  bool is_of_mesh() const { return place == nullptr; }
   bool has_segments() const { return probes == AxisProbes::segments_and_rays; }
 };
 

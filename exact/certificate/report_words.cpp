@@ -1,0 +1,64 @@
+// Counts and shares in words, as all writers of a certificate have them.
+#include <algorithm>
+#include <cstdio>
+#include <iterator>
+
+#include "exact/certificate/report_parts.h"
+
+namespace tribunal {
+
+std::string percent_text(double rate) {
+  char text[32];
+  std::snprintf(text, sizeof text, rate == 0 || rate >= 0.001 ? "%.3g %%" : "%.2e %%", 100 * rate);
+  return text;
+}
+
+std::string rate_of(const Count& c) {
+  if (c.judged() == 0) return "-";
+  return percent_text(static_cast<double>(c.wrong) / static_cast<double>(c.judged()));
+}
+
+const char* classes_word(const Certificate& c) { return c.operands() == Operands::triangles ? "classes" : "outcomes"; }
+
+std::string after_semicolon(const std::string& text) { return text.empty() ? "" : "; " + text; }
+
+/// "1 wrong of 12 (8.33 %); 3 outside the contract"
+std::string wrong_of(const Count& count) {
+  return std::to_string(count.wrong) + " wrong of " + std::to_string(count.judged()) + " (" + rate_of(count) + ")" +
+         (count.unsupported == 0 ? "" : "; " + std::to_string(count.unsupported) + " outside the contract");
+}
+
+/// The same, and what the wrong answers are.
+std::string with_breakdown(const Count& count) { return wrong_of(count) + after_semicolon(breakdown(count)); }
+
+Count total_of(const Certificate& c, std::size_t stream) {
+  Count total;
+  for (const Stratum& s : c.strata) {
+    if (s.stream == stream) total += s.count;
+  }
+  return total;
+}
+
+std::string coverage_text(const Certificate& c) {
+  return c.coverage.to_text(c.stages, [&](Stage stage) { return c.word_of(stage); });
+}
+
+std::string fault_lines(const Certificate& c, const std::string& before) {
+  std::string text;
+  for (const auto& [fault, n] : faults_in(c)) {
+    text += before + fault + ", in " + std::to_string(n) + " of the counterexamples\n";
+  }
+  return text;
+}
+
+std::vector<Stratum> worst_of(const Certificate& c, std::size_t most,
+                              const std::function<bool(const Stratum&)>& among) {
+  std::vector<Stratum> worst;
+  std::ranges::copy_if(c.strata, std::back_inserter(worst),
+                       [&](const Stratum& s) { return s.count.wrong > 0 && among(s); });
+  std::ranges::stable_sort(worst, std::greater{}, [](const Stratum& s) { return s.count.wrong; });
+  if (worst.size() > most) worst.resize(most);
+  return worst;
+}
+
+}  // namespace tribunal

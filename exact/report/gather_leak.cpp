@@ -1,0 +1,57 @@
+// What `leak` and `judge --mesh` wrote: summary.json and cases.jsonl.
+#include <algorithm>
+
+#include "exact/report/gathering.h"
+
+namespace tribunal {
+namespace {
+
+std::uint64_t number_in(const Json& row, const char* key) { return row.value(key, std::uint64_t{0}); }
+
+/// Leaks are worse than any other error; errors beside them are wrong answers on the boundaries of faces.
+Line leak_line(std::size_t run, const Json& subject, const std::string& fmt, const std::string& mesh) {
+  const Json all = subject.at("all");
+  const std::uint64_t rays = number_in(all, "rays"), leaks = number_in(all, "leak");
+  std::uint64_t others = 0;
+  std::string detail;
+  for (const char* error : {"false hit", "double hit", "closest", "order", "parity", "t", "normal", "fault"}) {
+    const std::uint64_t n = number_in(all, error);
+    others += n;
+    if (n > 0) detail += (detail.empty() ? "" : ", ") + std::string(error) + ": " + std::to_string(n);
+  }
+  const std::string name = subject.at("name");
+  Line line{.run = run, .method = name, .fmt = fmt, .detail = detail, .wrong = leaks, .judged = rays};
+  line.level = leaks > 0                     ? Level::leaks
+               : number_in(all, "fault") > 0 ? Level::fault
+               : others > 0                  ? Level::boundary
+                                             : Level::nothing;
+  line.text = leaks > 0    ? name + ": " + share_in_words(leaks, rays) + " " + fmt + " rays leak through " + mesh
+              : others > 0 ? name + ": watertight on " + std::to_string(rays) + " " + fmt + " rays at " + mesh +
+                                 ", but wrong in other ways"
+                           : name + ": watertight on " + std::to_string(rays) + " " + fmt + " rays at " + mesh;
+  return line;
+}
+
+}  // namespace
+
+void gather_leak(Run& run, Gathering& g) {
+  Json r = run.record;
+  const std::string mesh = r.value("mesh", "");
+  Json names = Json::array();
+  for (const Json& trial : r.at("trials")) {
+    for (const Json& subject : trial.at("subjects")) {
+      if (std::ranges::find(names, subject.at("name")) == names.end()) {
+        names.push_back(g.add_method({{"name", subject["name"]}}));
+      }
+      g.add(leak_line(run.number, subject, trial.at("fmt"), mesh));
+    }
+  }
+  run.page["title"] = mesh;
+  run.page["methods"] = names;
+  run.page["command"] = command_of({"leak", mesh, "--method", joined(names), "--seed",
+                                    std::to_string(number_in(r, "seed")), "--out", run.directory});
+  r.erase("environment");
+  run.page["record"] = std::move(r);
+}
+
+}  // namespace tribunal

@@ -1,0 +1,188 @@
+#include "exact/report/report.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include "exact/base/failure.h"
+#include "exact/base/files.h"
+#include "exact/cases/family_table.h"
+#include "exact/record/environment.h"
+#include "exact/report/classes.h"
+#include "exact/report/gathering.h"
+
+namespace tribunal {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string no_cases(const Run&) { return ""; }
+std::string counterexamples(const Run&) { return "counterexamples.jsonl"; }
+std::string witnesses(const Run&) { return "witnesses.jsonl"; }
+std::string cases(const Run&) { return "cases.jsonl"; }
+std::string named_cases(const Run& run) {
+  return fs::path(run.record.at("files").value("cases", "")).filename().string();
+}
+
+constexpr std::array kinds = {
+    Kind{"fuzz", "summary", ".json", "counts", counterexamples, gather_fuzz},
+    Kind{"relations", "relations", ".json", "relations", witnesses, gather_relations},
+    Kind{"certificate", "certificate", ".json", "verdict", counterexamples, gather_certificate},
+    Kind{"sweep", "sweep", ".json", "thresholds", witnesses, gather_sweep},
+    Kind{"compilers", "compilers", ".json", "builds", no_cases, gather_compilers},
+    Kind{"map", "map-", ".json", "panels", no_cases, gather_map},
+    Kind{"render", "", ".diff.json", "pixels", named_cases, gather_render},
+    Kind{"leak", "summary", ".json", "trials", cases, gather_leak},
+    Kind{"chart", "chart", ".json", "speed", no_cases, gather_chart},
+    Kind{"bench", "bench", ".json", "benchmarks", no_cases, gather_bench},
+};
+
+constexpr const char* writers = "fuzz, certify, judge, sweep, chart, leak, render --against or bench wrote";
+
+struct Result {
+  const Kind* kind;
+  Run run;
+};
+
+/// Whether a file of this name may be a result.
+bool may_be_result(const std::string& name) {
+  return std::ranges::any_of(kinds, [&](const Kind& k) {
+    return name.starts_with(k.prefix) && name.ends_with(k.suffix) && name.size() >= k.prefix.size() + k.suffix.size();
+  });
+}
+
+const Kind* kind_of(const std::string& name, const Json& record) {
+  for (const Kind& k : kinds) {
+    if (name.starts_with(k.prefix) && name.ends_with(k.suffix) && record.is_object() && record.contains(k.key)) {
+      return &k;
+    }
+  }
+  return nullptr;
+}
+
+/// The files in the directory and below that may be results, in order of their paths. Links to directories are not
+/// followed.
+std::vector<fs::path> files_in(const std::string& directory) {
+  std::error_code error;
+  std::vector<fs::path> files;
+  fs::recursive_directory_iterator at(directory, error), end;
+  if (error) throw bad_input(directory, 0, "cannot be read as a directory (" + error.message() + ")");
+  for (; at != end; at.increment(error)) {
+    if (error) throw bad_input(directory, 0, "cannot be read (" + error.message() + ")");
+    if (at->is_regular_file() && may_be_result(at->path().filename().string())) files.push_back(at->path());
+  }
+  std::ranges::sort(files);
+  return files;
+}
+
+void add_results(const std::string& directory, std::vector<Result>& results) {
+  const std::size_t before = results.size();
+  for (const fs::path& path : files_in(directory)) {
+    const std::string file = path.string(), name = path.filename().string();
+    Json record = parse_json(read_file(file), {file});
+    const Kind* kind = kind_of(name, record);
+    if (kind == nullptr) continue;
+    results.push_back({kind,
+                       {.number = results.size(),
+                        .directory = path.parent_path().string(),
+                        .file = name,
+                        .record = std::move(record)}});
+  }
+  if (results.size() == before)
+    throw bad_input(directory, 0, std::string("holds no result, expected a file that ") + writers);
+}
+
+/// Turns what the JSON library says of a record with another shape into a failure of input.
+template <class Work>
+void reading(const Result& result, const Work& work) {
+  try {
+    work();
+  } catch (const Json::exception& error) {
+    std::string what = error.what();
+    if (const std::size_t at = what.find("] "); at != std::string::npos) what = what.substr(at + 2);
+    throw bad_input(result.run.path(result.run.file), 0,
+                    "not as `" + std::string(result.kind->name) + "` is written: " + what);
+  }
+}
+
+void read_cases(Result& result, CaseBook& book) {
+  const std::string name = result.kind->cases(result.run);
+  if (name.empty()) return;
+  const std::string file = result.run.path(name);
+  if (fs::is_regular_file(file)) book.read(result.run.number, file);
+}
+
+Json start_of_page(const Result& result) {
+  const Run& run = result.run;
+  const Json& r = run.record;
+  return {{"kind", result.kind->name},
+          {"id", "run-" + std::to_string(run.number)},
+          {"title", run.directory},
+          {"directory", run.directory},
+          {"files", {run.file}},
+          {"command", Json()},
+          {"command_is", "from the record"},
+          {"methods", Json::array()},
+          {"seed", r.contains("seed") ? r["seed"] : Json()},
+          {"environment", r.contains("environment") ? r["environment"] : Json()},
+          {"cases", Json::array()},
+          {"cases_in_all", 0},
+          {"left_out", Json::array()}};
+}
+
+void gather(Result& result, Gathering& g) {
+  Run& run = result.run;
+  run.page = start_of_page(result);
+  if (const std::string name = result.kind->cases(run); !name.empty()) run.page["files"].push_back(name);
+  result.kind->gather(run, g);
+  const std::vector<std::size_t> shown = g.book.numbers_of(run.number);
+  const std::size_t found = g.book.found_in(run.number);
+  run.page["cases"] = shown;
+  run.page["cases_in_all"] = found;
+  if (shown.size() < found) {
+    g.leave_out(run, std::to_string(found - shown.size()) + " of its " + std::to_string(found) +
+                         " cases; the worst and most diverse are here");
+  }
+}
+
+Json families_json(const Json& runs) {
+  Json families = Json::object();
+  for (const Json& run : runs) {
+    for (const Json& name : run.value("families", Json::array())) {
+      const Family* family = find_family(name.get<std::string>());
+      families[name.get<std::string>()] = {
+          {"about", family != nullptr ? Json(family->stresses) : Json("cases of your own")}};
+    }
+  }
+  return families;
+}
+
+}  // namespace
+
+Json gather_report(const ReportPlan& plan) {
+  std::vector<Result> results;
+  for (const std::string& directory : plan.directories) add_results(directory, results);
+  Gathering g;
+  for (Result& r : results) reading(r, [&] { read_cases(r, g.book); });
+  g.book.choose(plan.most_cases);
+  Json runs = Json::array();
+  for (Result& r : results) {
+    reading(r, [&] { gather(r, g); });
+    runs.push_back(std::move(r.run.page));
+  }
+  return {{"schema", 1},
+          {"made_with", environment()},
+          {"directories", plan.directories},
+          {"verdicts", g.verdicts()},
+          {"methods", g.methods()},
+          {"method_order", g.method_order()},
+          {"families", families_json(runs)},
+          {"runs", std::move(runs)},
+          {"answer_methods", g.book.answer_methods()},
+          {"cases", g.book.shown()},
+          {"classes", classes_json()},
+          {"images", g.images()},
+          {"left_out", g.left_out()}};
+}
+
+}  // namespace tribunal
