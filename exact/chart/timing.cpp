@@ -10,6 +10,7 @@
 
 #include "exact/base/failure.h"
 #include "exact/base/interrupt.h"
+#include "exact/certificate/bounds.h"
 
 namespace tribunal {
 namespace {
@@ -86,19 +87,6 @@ double quantile(const std::vector<double>& sorted, double q) {
   return std::lerp(sorted[below], sorted[above], place - static_cast<double>(below));
 }
 
-/// The greatest k with P(B(n, 1/2) < k) ≤ 2.5 %: the k-th least and the k-th greatest of n samples enclose the median
-/// with at least 95 %. 0 where even the extremes do not.
-std::size_t rank_of_interval(std::size_t n) {
-  double term = std::pow(0.5, static_cast<double>(n)), below = term;
-  std::size_t k = 0;
-  while (below <= 0.025) {
-    ++k;
-    term *= static_cast<double>(n - k + 1) / static_cast<double>(k);
-    below += term;
-  }
-  return k;
-}
-
 extern "C" int answers_no_hit(int, const double*) { return 0; }
 
 /// Volatile, so that no compiler looks behind it.
@@ -117,7 +105,7 @@ bool Median::has_interval() const { return std::isfinite(upper); }
 Median median_of(std::vector<double> samples) {
   std::ranges::sort(samples);
   const double value = quantile(samples, 0.5);
-  const std::size_t rank = rank_of_interval(samples.size());
+  const std::size_t rank = median_rank(samples.size(), confidence_alpha);
   if (rank == 0) return {value, 0, std::numeric_limits<double>::infinity()};
   return {value, samples[rank - 1], samples[samples.size() - rank]};
 }

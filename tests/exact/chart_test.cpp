@@ -192,6 +192,23 @@ TEST(Timing, MedianLiesBetweenTwoOrderStatistics) {
   EXPECT_DOUBLE_EQ(many.upper, 22);
 }
 
+/// Ranks by sums of whole binomial coefficients; 2⁻¹⁰⁷⁵ is no binary64 number.
+TEST(Timing, RanksOfTheIntervalForAnyNumberOfSamples) {
+  const std::vector<std::pair<std::size_t, std::size_t>> known = {{1, 0},   {5, 0},      {6, 1},      {9, 2},
+                                                                  {31, 10}, {1074, 505}, {1075, 505}, {10'000, 4902}};
+  for (const auto& [n, rank] : known) {
+    EXPECT_EQ(median_rank(n, confidence_alpha), rank) << n;
+    std::vector<double> samples(n);
+    for (std::size_t i = 0; i < n; ++i) samples[i] = static_cast<double>(i + 1);
+    const Median median = median_of(samples);
+    EXPECT_EQ(median.has_interval(), rank > 0) << n;
+    EXPECT_DOUBLE_EQ(median.lower, static_cast<double>(rank)) << n;
+    if (rank > 0) {
+      EXPECT_DOUBLE_EQ(median.upper, static_cast<double>(n + 1 - rank)) << n;
+    }
+  }
+}
+
 /// No repetition asks about the cases of the one before, and a yardstick is one to itself.
 TEST(Timing, TakesOtherCasesEachTime) {
   std::vector<std::size_t> firsts;
