@@ -94,6 +94,17 @@ def bars_note(repetitions):
             "nothing.")
 
 
+def stretches_note(record):
+    """What the clock's repetitions have in common."""
+    times = [r["nanoseconds"] for r in record["rows"]]
+    repetitions, stretches = (max(t[key] for t in times) for key in ("repetitions", "stretches"))
+    batches = sorted({t["batch"] for t in times})
+    asked = f"{whole(batches[0])} to {whole(batches[-1])}, the slower the fewer" if batches[1:] else whole(batches[0])
+    took = (f"took {'others' if stretches == repetitions else f'one of {stretches} stretches'}" if stretches > 1
+            else "took the same")
+    return f"Cases in a repetition: {asked}; each repetition {took}."
+
+
 def bound_note(n):
     return f"None of {whole(n)} leaves at most {100 * (1 - 0.05 ** (1 / n)):.2g} % (95 %, one-sided)." if n else ""
 
@@ -113,9 +124,9 @@ def speed_accuracy(record, figure, title, out):
     if figure == "polygons":  # those that take none are no news
         methods.by_name = {m: methods.by_name[m] for m in taking}
     repetitions = max(r["nanoseconds"]["repetitions"] for r in record["rows"])
-    unit = f"1 = {record['yardstick']} in the same run" + (", on random triangles; polygons are prepared."
-                                                         if figure == "polygons" else ", on the same pairs.")
-    notes = [bars_note(repetitions), f"Time: {unit} Each repetition took other pairs.",
+    unit = f"1 = {record['yardstick']} in the same repetition" + (
+        ", on random triangles; polygons are prepared." if figure == "polygons" else ", on pairs of the same population.")
+    notes = [bars_note(repetitions), f"Time: {unit} {stretches_note(record)}",
              bound_note(max(r["n"] for r in drawn))]
     notes += unjudged_notes(record, methods, panels)
     if figure != "shares":

@@ -209,25 +209,62 @@ TEST(Timing, RanksOfTheIntervalForAnyNumberOfSamples) {
   }
 }
 
-/// No repetition asks about the cases of the one before, and a yardstick is one to itself.
-TEST(Timing, TakesOtherCasesEachTime) {
-  std::vector<std::size_t> firsts;
-  const TimedTest test = [&](std::size_t first, std::size_t count) -> NativeRun {
-    EXPECT_LE(first + count, 1000u);
-    if (count == 1000) ADD_FAILURE() << "all cases at once";
-    firsts.push_back(first);
-    return [](std::span<std::uint8_t> hits, std::size_t) {
-      const auto until = std::chrono::steady_clock::now() + std::chrono::microseconds(5 * hits.size());
+/// The cases that a test was laid out on, by the first and their number.
+using LaidOut = std::vector<std::pair<std::size_t, std::size_t>>;
+
+/// A test that takes so long a case, and notes what it is laid out on.
+TimedTest idle_test(std::chrono::nanoseconds a_case, LaidOut& laid_out) {
+  return [a_case, &laid_out](std::size_t first, std::size_t count) -> NativeRun {
+    laid_out.emplace_back(first, count);
+    return [a_case](std::span<std::uint8_t> hits, std::size_t) {
+      const auto until = std::chrono::steady_clock::now() + a_case * hits.size();
       while (std::chrono::steady_clock::now() < until) continue;
     };
   };
-  const std::vector<TimedTest> tests = {test};
+}
+
+/// No case is asked before the repetition that times it: not in another one, nor while warming up.
+TEST(Timing, AsksNoCaseBeforeItsTimeIsTaken) {
+  LaidOut quick, slow;
+  const std::vector<TimedTest> tests = {idle_test(std::chrono::nanoseconds(1), quick),
+                                        idle_test(std::chrono::microseconds(10), slow)};
   const std::vector<Timing> times =
-      time_stretches(tests, {.cases = 1000, .round = 50, .repetitions = 9, .yardstick = 0});
-  ASSERT_EQ(firsts.size(), 1u + 2 * 9);
-  for (std::size_t i = 4; i < firsts.size(); i += 2) EXPECT_NE(firsts[i], firsts[i - 2]);
+      time_stretches(tests, {.cases = 1000, .round = 25, .repetitions = 9, .yardstick = 0});
+  for (const LaidOut* laid_out : {&quick, &slow}) {
+    ASSERT_EQ(laid_out->size(),
+              1u + 2 * 9);  // a trial; in each repetition a pass before the clock runs, and the timed one
+    std::set<std::size_t> asked;
+    for (std::size_t i = 0; i < laid_out->size(); ++i) {
+      const auto [first, count] = (*laid_out)[i];
+      EXPECT_LE(first + count, 1000u);
+      for (std::size_t k = first; k < first + count; ++k) {
+        EXPECT_TRUE(asked.insert(k).second || i % 2 == 1 || i == 0) << "case " << k << " in pass " << i;
+      }
+    }
+  }
+  for (std::size_t i = 2; i < quick.size(); i += 2) {
+    EXPECT_EQ(quick[i].first, 100 * (i / 2 - 1));
+    EXPECT_EQ(slow[i].first, quick[i].first) << "the same stretch";
+    EXPECT_LE(slow[i].second, 50u) << "a slow test is asked a part of it";
+  }
+  EXPECT_EQ(times[0].stretches, 9u);
   ASSERT_TRUE(times[0].ratio);
   EXPECT_DOUBLE_EQ(times[0].ratio->value, 1);
+}
+
+/// By default every repetition has its own stretch, with --quick too; where there are too few rounds, they come again.
+TEST(Timing, SaysHowManyStretchesThereWere) {
+  const auto stretches = [](std::size_t cases, int repetitions) {
+    LaidOut laid_out;
+    const std::vector<TimedTest> tests = {idle_test(std::chrono::nanoseconds(0), laid_out)};
+    return time_stretches(tests, {.cases = cases, .round = 163, .repetitions = repetitions, .yardstick = {}})[0]
+        .stretches;
+  };
+  EXPECT_EQ(stretches(65'200, 31), 31u);
+  EXPECT_EQ(stretches(3'260, 9), 9u);
+  EXPECT_EQ(stretches(3'260, 50), 20u);
+  EXPECT_EQ(stretches(326, 9), 2u);
+  EXPECT_EQ(stretches(100, 9), 1u);
 }
 
 std::string drawn_from(const testing::TemporaryDirectory& directory, const Json& record) {
