@@ -20,8 +20,9 @@ try:
     from plot_marks import (FAINT, FORMATS, INK, PALE, SMALL, WIDTH, Line2D, Methods, Scale, decades, draw_panel, dress_x,
                             percent, whole)
     from plot_sheet import GAP, LINE, RIGHT, Grid, Key, Sheet, machine, shortened, width_of, wrapped
-except ModuleNotFoundError as missing:
-    sys.exit(f"plot.py: no module {missing.name} (Debian: python3-matplotlib)")
+except ImportError as missing:
+    print(f"plot.py: no module {missing.name} (Debian: python3-matplotlib)", file=sys.stderr)
+    sys.exit(69)  # script_lacks_module
 
 # --- share of wrong answers against time ---------------------------------------------------------------------------
 

@@ -27,6 +27,19 @@ expect 0 chart --redraw again
 expect 3 chart --redraw nowhere
 expect 2 chart --redraw again --method sf-double
 
+# What cannot be drawn: for want of a module, or because the record is of another version. The first error is kept.
+mkdir bare older
+echo 'raise ModuleNotFoundError("none", name="matplotlib")' >bare/matplotlib.py
+export PYTHONPATH=$PWD/bare
+expect 7 chart --redraw again
+says err 'python3 with matplotlib'
+unset PYTHONPATH
+sed 's/"yardstick": "mt-double"/"yard": "mt-double"/' charts/chart.json >older/chart.json
+expect 3 chart --redraw older
+says err 'chart.json: not as this version writes it'
+grep -q "KeyError: 'yardstick'" older/plot.log
+expect 0 chart --redraw again
+
 # Where marks stand and what they look like, by the script's own functions.
 /usr/bin/python3 - <<'PYTHON'
 import json

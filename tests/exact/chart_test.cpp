@@ -269,7 +269,7 @@ TEST(Timing, SaysHowManyStretchesThereWere) {
 
 std::string drawn_from(const testing::TemporaryDirectory& directory, const Json& record) {
   directory.file("chart.json", record.dump());
-  plot(directory.path("."), record);
+  plot(directory.path("."));
   return read_file(directory.path("speed-accuracy.svg"));
 }
 
@@ -286,7 +286,7 @@ TEST(Plot, DrawsAllFiguresAndTheSameBytesAgain) {
       EXPECT_GT(bytes.back().size(), 1000u) << figure << ending;
     }
   }
-  EXPECT_EQ(plot(directory.path("."), small_chart()), figures);
+  EXPECT_EQ(plot(directory.path(".")), figures);
   for (const std::string& figure : figures) {
     for (const char* ending : {".svg", ".pdf", ".png"}) {
       EXPECT_EQ(read_file(directory.path(figure + ending)), bytes[0]) << figure << ending;
@@ -295,15 +295,34 @@ TEST(Plot, DrawsAllFiguresAndTheSameBytesAgain) {
   }
 }
 
-TEST(Plot, WithoutNumbersIsOneLineAndExitCode7) {
+/// A chart of polygons' methods alone, or of triangles' alone, has fewer figures, and none of an older record stays.
+TEST(Plot, NamesWhatItDrewAndRemovesTheOthers) {
   const testing::TemporaryDirectory directory;
-  try {
-    plot(directory.path("."), Json::object());
-    FAIL() << "drew nothing";
-  } catch (const Failure& failure) {
-    EXPECT_EQ(failure.exit(), Exit::resources);
-    EXPECT_EQ(std::string(failure.what()).find('\n'), std::string::npos);
-  }
+  directory.file("pictures.svg", "of an older record");
+  directory.file("speed-accuracy-polygons.png", "of an older record");
+  directory.file("mine.svg", "nobody's");
+  Json record = small_chart();
+  Json& rows = record["rows"];
+  rows.erase(std::remove_if(rows.begin(), rows.end(),
+                            [](const Json& row) { return row["population"].get<std::string>().starts_with("poly"); }),
+             rows.end());
+  directory.file("chart.json", record.dump());
+  EXPECT_EQ(plot(directory.path(".")), (std::vector<std::string>{"speed-accuracy", "speed-accuracy-shares", "speed"}));
+  EXPECT_FALSE(std::filesystem::exists(directory.path("pictures.svg")));
+  EXPECT_FALSE(std::filesystem::exists(directory.path("speed-accuracy-polygons.png")));
+  EXPECT_TRUE(std::filesystem::exists(directory.path("mine.svg")));
+  EXPECT_TRUE(std::filesystem::exists(directory.path("speed.svg")));
+}
+
+/// As of an older version: the record is to blame, not Python, and the script's own words are kept.
+TEST(Plot, ARecordThatCannotBeDrawnIsBadInput) {
+  const testing::TemporaryDirectory directory;
+  Json record = small_chart();
+  record.erase("yardstick");
+  directory.file("chart.json", record.dump());
+  const std::string refusal = testing::refusal_of([&] { plot(directory.path(".")); });
+  EXPECT_NE(refusal.find("chart.json: not as this version writes it"), std::string::npos) << refusal;
+  EXPECT_NE(read_file(directory.path("plot.log")).find("KeyError: 'yardstick'"), std::string::npos);
 }
 
 }  // namespace

@@ -133,9 +133,9 @@ void add_leaks(const Options& o, const ChartPlan& plan, const std::optional<Mesh
 
 // --- the command ----------------------------------------------------------------------------------------------------
 
-int draw(const std::string& directory, const Json& record, const std::string& also) {
+int draw(const std::string& directory, const std::string& also) {
   std::string names;
-  for (const std::string& figure : plot(directory, record)) names += (names.empty() ? "" : ", ") + figure;
+  for (const std::string& figure : plot(directory)) names += (names.empty() ? "" : ", ") + figure;
   print("written to " + directory + ": " + names + ", each as .svg, .pdf and .png; " + also + "plot.py\n");
   return 0;
 }
@@ -144,7 +144,8 @@ int draw(const std::string& directory, const Json& record, const std::string& al
 int redraw(const std::string& directory) {
   watch_interrupts();
   const std::string file = directory + "/chart.json";
-  return draw(directory, parse_json(read_file(file), {file}), "");
+  parse_json(read_file(file), {file});
+  return draw(directory, "");
 }
 
 int run(const Options& o) {
@@ -163,7 +164,7 @@ int run(const Options& o) {
   add_pictures(o, plan, std::move(scenes), record);
   add_leaks(o, plan, mesh, record);
   write_file(o.out + "/chart.json", record.dump(1) + "\n");
-  return draw(o.out, record, "chart.json, ");
+  return draw(o.out, "chart.json, ");
 }
 
 }  // namespace
