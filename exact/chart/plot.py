@@ -87,12 +87,11 @@ def unjudged_notes(record, methods, panels):
     return notes
 
 
-def bars_note(repetitions):
+def bars_note(repetitions, shares="of shares by Clopper and Pearson"):
     time = (f"of time for the median over {repetitions} repetitions, by ranks" if repetitions >= 6
             else "of time none, for want of repetitions")
-    return (f"Bars are 95 % intervals both ways: of shares by Clopper and Pearson, {time}. Dashed: the frontier, than "
-            "which nothing is both quicker and less often wrong. In the grey band nothing was wrong; heights in it mean "
-            "nothing.")
+    return (f"Bars are 95 % intervals: {time}; {shares}. Dashed: the frontier, than which nothing is both quicker and "
+            "less often wrong. In the grey band nothing was wrong; heights in it mean nothing.")
 
 
 def stretches_note(record):
@@ -101,7 +100,7 @@ def stretches_note(record):
     repetitions, stretches = (max(t[key] for t in times) for key in ("repetitions", "stretches"))
     batches = sorted({t["batch"] for t in times})
     asked = f"{whole(batches[0])} to {whole(batches[-1])}, the slower the fewer" if batches[1:] else whole(batches[0])
-    took = (f"took {'others' if stretches == repetitions else f'one of {stretches} stretches'}" if stretches > 1
+    took = (f"took {'other ones' if stretches == repetitions else f'one of {stretches} stretches'}" if stretches > 1
             else "took the same")
     return f"Cases in a repetition: {asked}; each repetition {took}."
 
@@ -177,14 +176,16 @@ def big(x):
 
 def pictures(record, out):
     part = record.get("pictures", {"rows": []})
-    rows = {fmt: [{**r, **interval(r["rays_per_second"]), "n": r["pixels"]} for r in part["rows"] if r["fmt"] == fmt]
-            for fmt in FORMATS}
+    rows = {fmt: [{**r, **interval(r["rays_per_second"]), "n": r["pixels"], "lower": r["share"], "upper": r["share"]}
+                  for r in part["rows"] if r["fmt"] == fmt] for fmt in FORMATS}
     if not part["rows"]:
         return
     once = sorted({r["method"] for r in part["rows"] if "lower" not in r["rays_per_second"]})
     numbers = Methods(record).number
     starts = max(r["other_start"] for r in part["rows"])
-    notes = [bars_note(max(r["repetitions"] for r in part["rows"])),
+    notes = [bars_note(max(r["repetitions"] for r in part["rows"]),
+                       "of shares none, since all pixels of these scenes are counted, none is drawn at random, and "
+                       "neighbours are wrong together"),
              f"{len(part['scenes'])} scenes: {', '.join(os.path.splitext(s)[0] for s in part['scenes'])}; all faces as "
              f"triangles, {whole(part['rows'][0]['pixels'])} pixels a method and format, rays of all kinds counted, one "
              "thread, shading included.",

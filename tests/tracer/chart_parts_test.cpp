@@ -81,8 +81,12 @@ TEST(Pictures, WhatTheContractDoesNotOweIsNotWrong) {
 /// reflected rays above it.
 TEST(Pictures, ARayThatStartsElsewhereIsNotWrong) {
   Scene scene;
-  scene.camera = {
-      .eye = {-10, 0, 3}, .look_at = {0, 0, 0}, .up = {0, 0, 1}, .view_height = 0.125, .width = width, .height = height};
+  scene.camera = {.eye = {-10, 0, 3},
+                  .look_at = {0, 0, 0},
+                  .up = {0, 0, 1},
+                  .view_height = 0.125,
+                  .width = width,
+                  .height = height};
   scene.solids = {solid({{-40, -40, 0}, {40, -40, 0}, {40, 40, 0}, {-40, 40, 0}}),
                   solid({{20, -40, 0}, {20, -40, 9}, {20, 40, 9}, {20, 40, 0}})};
   scene.solids[0].material.reflection = 1;
