@@ -48,8 +48,9 @@ struct TimedRun {
 /// all of them, and all over the same stretch of cases, of which a slow test is asked only the first rounds: the cases
 /// of a ratio are of one population, but not as many on both sides. The stretch follows the one of the repetition
 /// before and is laid out just now: its cases lie in the cache, and no branch predictor knows their answers by heart.
-/// With fewer than repetitions + 1 rounds of cases, stretches come again. Throws std::logic_error if one that comes
-/// again is answered otherwise. Fails with 128 + signal if interrupted.
+/// With fewer than repetitions + 1 rounds of cases, stretches come again. No two tests may run the same code: the first
+/// would teach the branch predictor what the second is asked. Throws std::logic_error if one that comes again is
+/// answered otherwise. Fails with 128 + signal if interrupted.
 std::vector<Timing> time_stretches(std::span<const TimedTest> tests, const TimedRun& run);
 
 /// The loop on stretches of these pairs, which must outlive it.
