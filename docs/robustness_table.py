@@ -42,7 +42,7 @@ def main(directory, methods):
             continue
         key = (kinds[count["class"]], count["method"])
         outcomes = count.get("outcomes", {})
-        sums[key + ("judged",)] += count["asked"] - count["unsupported"] - count.get("refused", 0)
+        sums[key + ("judged",)] += count["asked"] - count["unsupported"]
         sums[key + ("false hit",)] += outcomes.get("false hit", 0)
         sums[key + ("false miss",)] += outcomes.get("false miss", 0)
     print("| false hits / false misses, ‰ | n | " + " | ".join(f"`{m}`" for m in methods) + " |")

@@ -173,6 +173,11 @@ bool is_exactly_generic(const Truth& truth) {
   return truth.planar && !truth.boundary && truth.contact != Contact::coplanar;
 }
 
+bool has_vertices(const Query& query) {
+  const auto* polygon = std::get_if<PolygonData>(&query.target);
+  return polygon == nullptr || !polygon->vertices.empty();
+}
+
 /// Whether tests in binary32 may be asked of it.
 bool is_exact_in_binary32(const Query& query) {
   const auto exact = [](const Point3& p) { return is_exact_in(p, Format::binary32); };
@@ -207,7 +212,7 @@ Clearance clearance_of(const Query& query) {
 
 Severity severity_of(const Query& query, const Truth& truth) {
   if (!is_everyday(query)) return Severity::extreme;
-  return is_exactly_generic(truth) && is_clear(query) ? Severity::plain : Severity::boundary;
+  return has_vertices(query) && is_exactly_generic(truth) && is_clear(query) ? Severity::plain : Severity::boundary;
 }
 
 }  // namespace tribunal

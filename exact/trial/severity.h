@@ -31,7 +31,7 @@
 // digits to tell, is plain. The bounds are measured, not proved: in 8 million cases of all families and 2 million of
 // ten meshes no test of the shelf is wrong at a clearance above 7 u, measured with M, but for one of which volumes of
 // the far end are small (Jiménez, 17 u), those that compare with a tolerance, and one that is unstable
-// (docs/findings.md). tests/exact/severity_test.cpp asks them again.
+// (docs/findings.md). tests/exact/severity_test.cpp holds smaller samples, half a million cases, to the two bounds.
 //
 // Computed in double: it ranks reports, and decides no answer.
 #pragma once
@@ -53,7 +53,7 @@ Clearance clearance_of(const Query& query);
 
 /// `plain`: at everyday scale, where every coordinate is 0 or within 1e-4 and 1e5 in magnitude, exactly in general
 /// position, and at least as clear as said above. Of a polygon general position is that no ring edge is met and that it
-/// is planar.
+/// is planar; one without vertices is at a boundary.
 Severity severity_of(const Query& query, const Truth& truth);
 
 }  // namespace tribunal
