@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "exact/base/json.h"
-#include "exact/certificate/rate.h"
 #include "exact/chart/timing_json.h"
 #include "exact/methods/methods.h"
 #include "exact/trial/judge.h"
@@ -115,14 +114,11 @@ Json to_json(const PicturePlan& plan, const std::vector<PictureRow>& rows) {
   Json json = {{"scenes", Json::array()}, {"rows", Json::array()}};
   for (const Scene& s : plan.scenes) json["scenes"].push_back(std::filesystem::path(s.file).filename().string());
   for (const PictureRow& r : rows) {
-    const Rate rate = rate_of(r.wrong(), r.pixels);
     json["rows"].push_back({{"method", plan.methods[r.method].name},
                             {"fmt", name_of(r.format)},
                             {"pixels", r.pixels},
                             {"wrong", r.wrong()},
-                            {"share", rate.share},
-                            {"lower", rate.lower},
-                            {"upper", rate.upper},
+                            {"share", static_cast<double>(r.wrong()) / static_cast<double>(r.pixels)},
                             {"other_start", r.differing[static_cast<std::size_t>(PixelCause::start)]},
                             {"not_owed", r.differing[static_cast<std::size_t>(PixelCause::not_owed)]},
                             {"rays", r.rays},
