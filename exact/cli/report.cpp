@@ -32,12 +32,12 @@ std::string printable(std::string text) {
 std::string in_words(const Json& report, const std::string& out) {
   std::string text;
   for (const Json& line : report["verdicts"]) {
-    text +=
-        line["text"].get<std::string>() + (line["detail"] == "" ? "" : "; " + line["detail"].get<std::string>()) + "\n";
+    const std::string detail = line["detail"];
+    text += printable(line["text"].get<std::string>() + (detail.empty() ? "" : "; " + detail)) + "\n";
   }
   for (const Json& what : report["left_out"]) text += "left out: " + printable(what.get<std::string>()) + "\n";
   return text + "\n" + std::to_string(report["runs"].size()) + " results, " + std::to_string(report["cases"].size()) +
-         " cases; open " + out + "\n";
+         " cases; open " + printable(out) + "\n";
 }
 
 int run(const Options& o) {

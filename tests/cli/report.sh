@@ -128,7 +128,7 @@ expect 3 report broken --out no.html && says err 'broken/counterexamples.jsonl:1
 # Terminals are not steered by names.
 mkdir escape
 sed 's/my-mt/my\\u001b[31mt/' mine/summary.json >escape/summary.json
-expect 0 report escape --out escape.html && ! grep -q $'\033' out
+expect 0 report escape --out $'escape\033[31m.html' && says out 'my?[31mt: wrong in' && says out 'open escape?[31m.html' && lacks out $'\033'
 
 # The atlas in docs/ is the one that the program's classes make.
 "${PYTHON:-python3}" "$SOURCE_DIR/docs/atlas.py" "$TRIBUNAL" drawn
