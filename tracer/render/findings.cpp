@@ -3,20 +3,17 @@
 #include <algorithm>
 
 #include "exact/base/json.h"
-#include "exact/trial/judge.h"
 
 namespace tribunal {
 namespace {
 
 Why why_of(const Parting& parting) { return parting.face ? Why::face : parting.other_start ? Why::start : Why::order; }
 
-/// Those of the two that answer the case wrongly. A wrong contact moves no pixel.
+/// Those of the two whose wrong answer to the case shows.
 std::vector<std::string> wrong_on(const Case& c, const Method& a, const Method& b) {
-  const Truth truth = exact_truth(c.query);
   std::vector<std::string> names;
   for (const Method* m : {&a, &b}) {
-    const Outcome outcome = judge(*m, truth, m->ask(c.query));
-    if (is_wrong(outcome) && outcome != Outcome::wrong_contact) names.push_back(m->name);
+    if (shows_wrong_answer(*m, c.query)) names.push_back(m->name);
   }
   return names;
 }

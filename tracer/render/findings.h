@@ -23,7 +23,7 @@ struct ExaminedPixel {
   Why why = Why::unexamined;
   RayKind kind = RayKind::primary;   ///< meaningless if unexamined
   std::string id{};                  ///< of the case
-  std::vector<std::string> wrong{};  ///< which of the methods answer the case wrongly
+  std::vector<std::string> wrong{};  ///< which of the methods show a wrong answer to the case
 };
 
 struct Findings {
