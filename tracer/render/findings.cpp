@@ -34,7 +34,7 @@ Findings examine(const World& world, const Method& a, const Method& b, const std
   Findings f;
   for (const DifferingPixel& pixel : pixels) {
     f.colours += pixel.colour_differs;
-    ExaminedPixel& examined = f.pixels.emplace_back(pixel);
+    ExaminedPixel& examined = f.pixels.emplace_back(ExaminedPixel{.pixel = pixel});
     if (f.cases.size() == max_cases) continue;
     const std::optional<Parting> parting = parting_at(world, a, b, pixel, depth);
     if (!parting) continue;
