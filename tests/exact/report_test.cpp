@@ -242,6 +242,46 @@ TEST_F(ReportFiles, APictureComesFromTheResultsOwnDirectory) {
   EXPECT_NE(r["left_out"][0].get<std::string>().find("secret.png is missing"), std::string::npos);
 }
 
+/// A comparison of two pictures of 10 × 10 pixels, with these pixels.
+Json pictures(const Json& pixels) {
+  return {{"scene", "s"},           {"width", 10},      {"height", 10},
+          {"fmt", "binary64"},      {"pixels", pixels}, {"difference", {{"method", "m"}, {"against", "n"}}},
+          {"files", Json::object()}};
+}
+
+/// The verdict on this method of the one run that is in the directory.
+Json verdict_on(const Json& report, const std::string& method) {
+  for (const Json& line : report["verdicts"]) {
+    if (line["method"] == method) return line;
+  }
+  return Json();
+}
+
+TEST_F(ReportFiles, UnexaminedPixelsAreNotRight) {
+  const Json unexamined = {{"x", 1}, {"y", 1}, {"why", "unexamined"}};
+  const Json face = {{"x", 2}, {"y", 1}, {"why", "face"}, {"case", "c"}, {"wrong", {"m"}}};
+  write("a/x.diff.json", pictures({face, unexamined, unexamined}).dump());
+  const Json r = report();
+  const Json m = verdict_on(r, "m"), n = verdict_on(r, "n");
+  EXPECT_EQ(m["text"], "m: 1 of 98 (1.02 %) pixels show a wrong answer");
+  EXPECT_EQ(m["level"], "boundary");
+  EXPECT_EQ(n["text"], "n: no pixel of 98 shows a wrong answer");
+  EXPECT_EQ(n["level"], "incomplete");
+  EXPECT_EQ(n["judged"], 98);
+  EXPECT_EQ(n["detail"], "2 that differ were not examined");
+}
+
+TEST_F(ReportFiles, AWrongOrderOfHitsIsWrong) {
+  const Json order = {{"x", 1}, {"y", 1}, {"why", "order"}};
+  Json wrong = order;
+  wrong["wrong"] = {"m"};
+  write("a/x.diff.json", pictures({order, wrong, wrong}).dump());
+  const Json r = report();
+  EXPECT_EQ(verdict_on(r, "m")["wrong"], 2);
+  EXPECT_EQ(verdict_on(r, "n")["level"], "pictures");
+  EXPECT_EQ(r["runs"][0]["verdict_pixels"]["order"], 1);
+}
+
 // --- the atlas ---------------------------------------------------------------------------------------------------
 
 double distance(const Spot& a, const Spot& b) { return std::hypot(a.x - b.x, a.y - b.y); }
