@@ -282,6 +282,32 @@ TEST_F(ReportFiles, AWrongOrderOfHitsIsWrong) {
   EXPECT_EQ(r["runs"][0]["verdict_pixels"]["order"], 1);
 }
 
+/// A row of a certificate: of 100 cases k are wrong, all of one severity.
+Json stratum(std::uint64_t k, const char* severity) {
+  return {{"family", "f"}, {"fmt", "binary64"}, {"n", 100}, {"k", k}, {"severity", {{severity, k}}}};
+}
+
+TEST_F(ReportFiles, OwnCasesCountBesideASampleAndAreNotAddedToIt) {
+  Json record = {{"method", "m"},
+                 {"verdict", "refuted"},
+                 {"budget", "quick"},
+                 {"sampled", {stratum(3, "extreme")}},
+                 {"own_cases", {stratum(50, "plain")}}};
+  write("a/certificate.json", record.dump());
+  Json r = report();
+  EXPECT_EQ(r["verdicts"][0]["level"], "plain");
+  EXPECT_EQ(r["verdicts"][0]["wrong"], 50);
+  EXPECT_EQ(r["verdicts"][0]["judged"], 100);
+  EXPECT_EQ(r["verdicts"][0]["detail"], "on your own binary64 cases wrong in 50 of 100 (50 %)");
+  ASSERT_EQ(r["runs"][0]["sums"].size(), 1u);
+  EXPECT_EQ(r["runs"][0]["sums"][0]["wrong"], 3) << "of the sample alone";
+  record["own_cases"] = {stratum(0, "plain")};
+  write("a/certificate.json", record.dump());
+  r = report();
+  EXPECT_EQ(r["verdicts"][0]["level"], "extreme");
+  EXPECT_EQ(r["verdicts"][0]["wrong"], 3);
+}
+
 // --- the atlas ---------------------------------------------------------------------------------------------------
 
 double distance(const Spot& a, const Spot& b) { return std::hypot(a.x - b.x, a.y - b.y); }
