@@ -67,10 +67,14 @@ std::vector<fs::path> files_in(const std::string& directory) {
   std::vector<fs::path> files;
   fs::recursive_directory_iterator at(directory, error), end;
   if (error) throw bad_input(directory, 0, "cannot be read as a directory (" + error.message() + ")");
+  std::string last = directory;
   for (; at != end; at.increment(error)) {
-    if (error) throw bad_input(directory, 0, "cannot be read (" + error.message() + ")");
-    if (at->is_regular_file() && may_be_result(at->path().filename().string())) files.push_back(at->path());
+    last = at->path().string();
+    std::error_code unknown;
+    if (may_be_result(at->path().filename().string()) && at->is_regular_file(unknown)) files.push_back(at->path());
   }
+  // A step that fails ends the walk: the iterator is then equal to `end`.
+  if (error) throw bad_input(last, 0, "cannot be read, or what follows it (" + error.message() + ")");
   std::ranges::sort(files);
   return files;
 }
@@ -109,7 +113,8 @@ void read_cases(Result& result, CaseBook& book) {
   const std::string name = result.kind->cases(result.run);
   if (name.empty()) return;
   const std::string file = result.run.path(name);
-  if (fs::is_regular_file(file)) book.read(result.run.number, file);
+  std::error_code unknown;
+  if (fs::is_regular_file(file, unknown)) book.read(result.run.number, file);
 }
 
 Json start_of_page(const Result& result) {

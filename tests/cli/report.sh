@@ -123,6 +123,10 @@ head -c 1000 mine/summary.json >broken/summary.json
 expect 3 report broken --out no.html && [ "$(wc -l <err)" -eq 1 ]
 cp mine/summary.json broken && echo '{"id":"x","seg":[[0,0,0]],"tri":[]}' >broken/counterexamples.jsonl
 expect 3 report broken --out no.html && says err 'broken/counterexamples.jsonl:1:'
+mkdir -p deep/1/2/3/4/5/6/7/8/9/10/11/12/13/14/15/16/17/18/19/20 && cp -r mine deep/mine
+expect 0 report deep --out deep.html
+(ulimit -n 14 && expect 3 report deep --out no.html && says err ': cannot be read' && [ "$(wc -l <err)" -eq 1 ])
+ln -s counterexamples.jsonl deep/1/counterexamples.jsonl && cp mine/summary.json deep/1 && ln -s nowhere deep/summary.json && ln -s summary-loop.json deep/summary-loop.json && expect 0 report deep --out deep.html
 [ ! -e no.html ]
 
 # Terminals are not steered by names.
