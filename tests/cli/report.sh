@@ -106,6 +106,12 @@ for shown in data["cases"]:
         assert letter in ("-", str(shown["answered"])), shown["case"]["id"]
 EOF
 
+# A sweep: how many of how many, where it begins, and no bound; rays at a mesh apart.
+ends_well_or_finds sweep --method sf-double,sf-filtered --axis sliver,fill,afar --count 40 --out swept
+expect 0 report swept --out swept.html
+says out ' binary64 cases along 2 axes; fails first on the axis ' && says out ' binary64 rays at a mesh along the axis afar'
+says out 'sf-filtered: nothing wrong of ' && lacks out 'confidence'
+
 # The same bytes again; fewer cases on request, and the rest is counted.
 expect 0 report all --out again.html && cmp all.html again.html
 expect 0 report all --out few.html --max-cases 7

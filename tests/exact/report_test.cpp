@@ -308,6 +308,63 @@ TEST_F(ReportFiles, OwnCasesCountBesideASampleAndAreNotAddedToIt) {
   EXPECT_EQ(r["verdicts"][0]["wrong"], 3);
 }
 
+/// Counts at one value of an axis.
+Json swept(const char* axis, int value, std::uint64_t judged, std::uint64_t wrong, const Json& outcomes) {
+  return {{"method", "m"},       {"axis", axis},      {"fmt", "binary64"},
+          {"value", value},      {"probe", "ray"},    {"asked", judged},
+          {"judged", judged},    {"refused", 3},      {"wrong", {{"k", wrong}, {"n", judged}}},
+          {"plain", 0},          {"boundary", wrong}, {"extreme", 0},
+          {"outcomes", outcomes}};
+}
+
+Json swept_axis(const char* name, const char* operands) {
+  return {{"name", name},
+          {"operands", operands},
+          {"easiest", {{"binary64", 0}}},
+          {"values", {{"binary64", {-10, 0, 10, 20, 30, 40}}}}};
+}
+
+Json threshold(const char* axis, const char* side, int value) {
+  return {{"method", "m"},
+          {"axis", axis},
+          {"fmt", "binary64"},
+          {"side", side},
+          {"probe", "ray"},
+          {"outcome", "false hit"},
+          {"first", {{"value", value}, {"n", 50}, {"k", 2}}},
+          {"witness", "w"}};
+}
+
+TEST_F(ReportFiles, ASweepSaysWhereItFailsFirstAndBoundsNothing) {
+  Json record = {
+      {"seed", 1},
+      {"cases", 50},
+      {"methods", {{{"name", "m"}}}},
+      {"axes", {swept_axis("sliver", "triangles"), swept_axis("fill", "polygons"), swept_axis("afar", "mesh")}},
+      {"rows",
+       {swept("sliver", 40, 100, 5, {{"refused", {{"k", 3}}}}), swept("fill", 20, 100, 2, Json::object()),
+        swept("afar", 0, 70, 9, {{"leak", {{"k", 4}}}})}},
+      {"thresholds",
+       {threshold("sliver", "up", 40), threshold("fill", "up", 20), threshold("sliver", "down", -10),
+        threshold("afar", "up", 0)}}};
+  write("a/sweep.json", record.dump());
+  Json r = report();
+  ASSERT_EQ(r["verdicts"].size(), 2u);
+  EXPECT_EQ(r["verdicts"][0]["text"], "m: 9 wrong of 70 binary64 rays at a mesh along the axis afar");
+  EXPECT_EQ(r["verdicts"][0]["level"], "leaks");
+  EXPECT_EQ(r["verdicts"][1]["text"], "m: 7 wrong of 200 binary64 cases along 2 axes");
+  EXPECT_EQ(r["verdicts"][1]["level"], "boundary");
+  EXPECT_EQ(r["verdicts"][1]["detail"], "fails first on the axis fill: at 20, 2 of 50 false hit");
+  const Json columns = r["runs"][0]["record"]["rows"]["columns"];
+  EXPECT_EQ(std::ranges::count(columns, Json("refused.k")), 1);
+  EXPECT_EQ(std::ranges::count(columns, Json("refused")), 0) << "it is the number of the outcome";
+  record["rows"] = {swept("sliver", 40, 100, 0, Json::object())};
+  write("a/sweep.json", record.dump());
+  r = report();
+  EXPECT_EQ(r["verdicts"][0]["text"], "m: nothing wrong of 100 binary64 cases along 2 axes");
+  EXPECT_EQ(r["verdicts"][0]["detail"], "") << "no bound";
+}
+
 // --- the atlas ---------------------------------------------------------------------------------------------------
 
 double distance(const Spot& a, const Spot& b) { return std::hypot(a.x - b.x, a.y - b.y); }
