@@ -93,7 +93,7 @@ Line line_of(std::size_t run, const std::string& method, const Json& r, const Js
   line.judged = (*worst)["judged"].get<std::uint64_t>();
   for (const Json& sum : of_own) {
     const auto wrong = sum["wrong"].get<std::uint64_t>();
-    if (of_sample.empty() || wrong == 0) continue;
+    if (of_sample.empty() || wrong == 0 || r.contains("worst")) continue;  // that says it of all
     line.detail += (line.detail.empty() ? "" : "; ") + std::string("on your own ") + sum["fmt"].get<std::string>() +
                    " cases wrong in " + share_in_words(wrong, sum["judged"].get<std::uint64_t>());
   }
