@@ -59,6 +59,12 @@ Json sums_of(const Json& rows) {
   return all;
 }
 
+/// Cases or a mesh of the user's own, whose files the record does not name.
+bool has_own_files(const Json& r) {
+  const auto is_own = [](const Json& stream) { return stream.value("family", "").starts_with("own-"); };
+  return r.contains("own_cases") || std::ranges::any_of(r.value("streams", Json::array()), is_own);
+}
+
 /// The worst that the certificate says: of samples, own cases and whole sets. Wrong on a whole set of small integers,
 /// and nothing said of how bad, is a boundary at worst: the sets are degenerate in every way.
 Level level_of(const Json& r, const std::vector<Json>& sums) {
@@ -112,9 +118,8 @@ void gather_certificate(Run& run, Gathering& g) {
   run.page["title"] = method;
   const bool judged = r.value("budget", "") == "the cases of a file";
   run.page["judged"] = judged;
-  if (judged) {
-    run.page["seed"] = Json();
-  } else {
+  if (judged) run.page["seed"] = Json();
+  if (!judged && !has_own_files(r)) {
     std::vector<std::string> words{"certify", "--method", method, "--budget", r.value("budget", "")};
     if (r.contains("polygons_judged")) words.push_back("--polygons");
     words.insert(words.end(), {"--seed", std::to_string(r.value("seed", std::uint64_t{0})), "--out", run.directory});

@@ -79,12 +79,25 @@ Line line_for(const Run& run, const CaseBook& book, const std::string& method, s
   return line;
 }
 
-std::string command_for(const Run& run, const std::string& method, const std::string& against) {
+/// The command; null of a record that does not say with which options it was made.
+Json command_for(const Run& run, const std::string& method, const std::string& against) {
   const Json& r = run.record;
   const std::string size = std::to_string(r.value("width", 0)) + "x" + std::to_string(r.value("height", 0));
-  return command_of({"render", r.value("scene", ""), "--method", method, "--against", against, "--size", size,
-                     "--accel", r.value("accel", "bvh"), "--depth", std::to_string(r.value("depth", 1)), "--out",
-                     run.path(r.at("files").value("image", "image.png"))});
+  if (!r.contains("options")) return Json();
+  std::vector<std::string> words{"render",    r.value("scene", ""),
+                                 "--method",  method,
+                                 "--against", against,
+                                 "--size",    size,
+                                 "--accel",   r.value("accel", "bvh"),
+                                 "--depth",   std::to_string(r.value("depth", 1))};
+  for (const char* key : {"camera", "scale", "up", "max-cases", "triangulate", "heat"}) {
+    const Json value = r["options"].value(key, Json());
+    if (value.is_null() || value == false) continue;
+    words.push_back(std::string("--") + key);
+    if (value != true) words.push_back(value.is_string() ? value.get<std::string>() : value.dump());
+  }
+  words.insert(words.end(), {"--out", run.path(r.at("files").value("image", "image.png"))});
+  return command_of(words);
 }
 
 }  // namespace
@@ -107,7 +120,7 @@ void gather_render(Run& run, Gathering& g) {
                                 {"order", b.order},   {"start", b.start},     {"unexamined", b.unexamined}};
   Json record = r;
   record["pixels"] = pixels_table(run, g.book);
-  for (const char* key : {"files", "environment"}) record.erase(key);
+  for (const char* key : {"files", "environment", "options"}) record.erase(key);
   run.page["record"] = std::move(record);
   for (const auto& [key, name] : r.at("files").items()) {
     if (key != "cases") run.page["images"][key == "image" ? "method" : key] = g.add_image(run, name.get<std::string>());

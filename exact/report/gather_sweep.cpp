@@ -114,6 +114,14 @@ void add_lines(const Run& run, Gathering& g, const std::string& method) {
   }
 }
 
+/// A mesh of the user's own, whose file the record does not name. The program's own is "a torus".
+bool has_own_mesh(const Json& r) {
+  return std::ranges::any_of(r.at("axes"), [](const Json& axis) {
+    const bool own = axis.value("population", "").find(" of a torus (") == std::string::npos;
+    return axis.value("operands", "") == "mesh" && own;
+  });
+}
+
 Json names_of(const Json& objects) {
   Json names = Json::array();
   for (const Json& o : objects) names.push_back(o.at("name"));
@@ -142,9 +150,11 @@ Line map_line(std::size_t run, const Json& panel, const std::string& map) {
 void gather_sweep(Run& run, Gathering& g) {
   Json r = run.record;
   run.page["methods"] = names_of(r.at("methods"));
-  run.page["command"] = command_of({"sweep", "--method", joined(run.page["methods"]), "--axis",
-                                    joined(names_of(r.at("axes"))), "--seed", std::to_string(number_in(r, "seed")),
-                                    "--count", std::to_string(number_in(r, "cases")), "--out", run.directory});
+  if (!has_own_mesh(r)) {
+    run.page["command"] = command_of({"sweep", "--method", joined(run.page["methods"]), "--axis",
+                                      joined(names_of(r.at("axes"))), "--seed", std::to_string(number_in(r, "seed")),
+                                      "--count", std::to_string(number_in(r, "cases")), "--out", run.directory});
+  }
   for (const Json& m : r["methods"]) add_lines(run, g, g.add_method(m));
   Json rows = Json::array();
   for (const Json& row : r["rows"]) rows.push_back(flat(row));
@@ -165,9 +175,9 @@ void gather_compilers(Run& run, Gathering& g) {
   }
   for (const Json& name : names) g.add_method({{"name", name}});
   run.page["methods"] = names;
-  run.page["command"] =
-      command_of({"sweep", "--axis", "compiler", "--seed", std::to_string(number_in(r, "seed")), "--count",
-                  std::to_string(number_in(r, "cases_of_each_format")), "--out", run.directory});
+  run.page["command"] = command_of({"sweep", "--axis", "compiler", "--method", joined(names), "--seed",
+                                    std::to_string(number_in(r, "seed")), "--count",
+                                    std::to_string(number_in(r, "cases_of_each_format")), "--out", run.directory});
   r.erase("environment");
   run.page["record"] = std::move(r);
 }

@@ -146,7 +146,10 @@ Line line_of(std::size_t run, const std::string& method, const std::string& fmt,
 
 std::string command_of(const std::vector<std::string>& words) {
   std::string text = "tribunal";
-  for (const std::string& word : words) text += " " + (word.starts_with("--") ? word : shell_word(word));
+  const auto is_option = [](const std::string& word) {
+    return word.starts_with("--") && word.find_first_not_of("abcdefghijklmnopqrstuvwxyz-") == std::string::npos;
+  };
+  for (const std::string& word : words) text += " " + (is_option(word) ? word : shell_word(word));
   return text;
 }
 

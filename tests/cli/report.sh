@@ -112,6 +112,33 @@ expect 0 report swept --out swept.html
 says out ' binary64 cases along 2 axes; fails first on the axis ' && says out ' binary64 rays at a mesh along the axis afar'
 says out 'sf-filtered: nothing wrong of ' && lacks out 'confidence'
 
+# Commands make their records again, with the options that they hold; where a record lacks one, there is no command.
+commands_of() {  # DIR: a line each in the file commands
+  expect 0 report "$1" --out one.html --json one.json
+  "${PYTHON:-python3}" -c 'import json; [print(run["command"]) for run in json.load(open("one.json"))["runs"]]' >commands
+}
+remakes() {  # DIR RECORD…: the one command of the directory makes these files again, byte for byte but for the environment
+  commands_of "$1" && mkdir kept && (cd "$1" && cp "${@:2}" "$scratch/kept" && rm "${@:2}")
+  [ "$(wc -l <commands)" -eq 1 ] || { cat commands >&2; exit 1; }
+  sed "s|^tribunal|$TRIBUNAL|" commands >again.sh
+  bash again.sh >/dev/null 2>&1 || [ $? -eq 1 ]
+  for file in "${@:2}"; do cmp "kept/$file" "$1/$file"; done
+  rm -r kept
+}
+ends_well_or_finds fuzz --relations --method sf-double --family ulp,affine --cases cases.jsonl --count 800 --out again/relations
+remakes again/relations relations.json
+says commands '--family ulp,affine --cases cases.jsonl' && rm -r again
+mkdir again && ends_well_or_finds render "$SOURCE_DIR/data/meshes/pig.off" --size 40x30 --method mt-float --against sf-filtered \
+  --scale 1e-6 --camera 1e-6,2e-6,3e-6 --up z --max-cases 3 -o again/pig.png
+remakes again pig.diff.json pig.cases.jsonl
+rm -r again
+expect 1 certify --method sf-double --budget quick --cases cases.jsonl --out again && commands_of again && says commands None && lacks commands tribunal
+ends_well_or_finds sweep --method sf-double --axis afar --count 20 --mesh "$SOURCE_DIR/data/meshes/cow.off" --out again/own
+ends_well_or_finds sweep --method sf-double --axis afar --count 20 --out again/torus
+commands_of again/own && says commands None
+commands_of again/torus && says commands 'tribunal sweep --method sf-double --axis afar --seed 1 --count 20 --out again/torus'
+commands_of all/leak && says commands None
+
 # The same bytes again; fewer cases on request, and the rest is counted.
 expect 0 report all --out again.html && cmp all.html again.html
 expect 0 report all --out few.html --max-cases 7

@@ -210,6 +210,11 @@ TEST_F(ReportFiles, HostileNamesStayText) {
   EXPECT_EQ(report_page(r).find("<script>alert"), std::string::npos);
 }
 
+TEST_F(ReportFiles, ANameThatLooksLikeAnOptionIsQuotedInACommand) {
+  write("a/summary.json", fuzz_record("--a;b").dump());
+  EXPECT_TRUE(report()["runs"][0]["command"].get<std::string>().starts_with("tribunal fuzz --method '--a;b' --family"));
+}
+
 TEST_F(ReportFiles, WhatIsLeftOutIsCounted) {
   write("a/summary.json", fuzz_record("mine").dump());
   std::string lines;
