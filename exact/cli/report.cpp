@@ -41,16 +41,19 @@ std::string in_words(const Json& report, const std::string& out) {
 }
 
 int run(const Options& o) {
+  std::vector<Output> outputs{{"--classes", o.classes}, {"--json", o.json}};
+  if (!o.plan.directories.empty()) outputs.push_back({"--out", o.out});
+  std::erase_if(outputs, [](const Output& output) { return output.file.empty(); });
+  require_distinct(outputs);
   if (!o.classes.empty()) {
     write_file(o.classes, classes_json().dump(1) + "\n");
     if (o.plan.directories.empty()) return code(Exit::ok);
   }
   if (o.plan.directories.empty()) throw Failure(Exit::usage, "report: no directory given, expected one with results");
-  require_distinct({{"--out", o.out}, {"--json", o.json}});
   const Json report = gather_report(o.plan);
   if (!o.json.empty()) write_file(o.json, report.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
   write_file(o.out, report_page(report));
-  if (o.out != "-" && o.json != "-") print(in_words(report, o.out));
+  if (o.out != "-" && o.json != "-" && o.classes != "-") print(in_words(report, o.out));
   return code(Exit::ok);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <set>
 
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
@@ -79,21 +80,24 @@ std::vector<fs::path> files_in(const std::string& directory) {
   return files;
 }
 
-void add_results(const std::string& directory, std::vector<Result>& results) {
-  const std::size_t before = results.size();
+/// Adds the results in the directory whose files are not among those taken before, by their canonical paths:
+/// directories may lie in each other.
+void add_results(const std::string& directory, std::vector<Result>& results, std::set<std::string>& taken) {
+  bool any = false;
   for (const fs::path& path : files_in(directory)) {
     const std::string file = path.string(), name = path.filename().string();
     Json record = parse_json(read_file(file), {file});
     const Kind* kind = kind_of(name, record);
     if (kind == nullptr) continue;
+    any = true;
+    if (!taken.insert(fs::weakly_canonical(path).string()).second) continue;
     results.push_back({kind,
                        {.number = results.size(),
                         .directory = path.parent_path().string(),
                         .file = name,
                         .record = std::move(record)}});
   }
-  if (results.size() == before)
-    throw bad_input(directory, 0, std::string("holds no result, expected a file that ") + writers);
+  if (!any) throw bad_input(directory, 0, std::string("holds no result, expected a file that ") + writers);
 }
 
 /// Turns what the JSON library says of a record with another shape into a failure of input.
@@ -166,7 +170,8 @@ Json families_json(const Json& runs) {
 
 Json gather_report(const ReportPlan& plan) {
   std::vector<Result> results;
-  for (const std::string& directory : plan.directories) add_results(directory, results);
+  std::set<std::string> taken;
+  for (const std::string& directory : plan.directories) add_results(directory, results, taken);
   Gathering g;
   for (Result& r : results) reading(r, [&] { read_cases(r, g.book); });
   g.book.choose(plan.most_cases);

@@ -150,6 +150,15 @@ expect 3 report empty --out no.html && says err 'empty: holds no result, expecte
 expect 3 report nowhere --out no.html && says err 'nowhere: cannot be read as a directory'
 expect 2 report --out no.html && says err 'no directory given'
 expect 2 report all --out x.html --json ./x.html && says err 'would both write'
+expect 2 report all --out x.html --classes ./x.html && says err 'would both write'
+expect 2 report --json x.html --classes ./x.html && says err 'would both write'
+[ ! -e x.html ]
+expect 0 report mine --out x.html --classes - && lacks out 'results, '
+"${PYTHON:-python3}" -m json.tool out >/dev/null
+ln -s mine linked
+expect 0 report . ./mine mine/../mine linked --out x.html
+cp out of-all
+expect 0 report . --out x.html && cmp out of-all
 sed 's/"asked": [0-9]*/"asked": "many"/' mine/summary.json >broken/summary.json
 expect 3 report all broken --out no.html && says err 'broken/summary.json: not as `fuzz` is written' && [ "$(wc -l <err)" -eq 1 ]
 head -c 1000 mine/summary.json >broken/summary.json
