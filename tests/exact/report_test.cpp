@@ -210,6 +210,16 @@ TEST_F(ReportFiles, HostileNamesStayText) {
   EXPECT_EQ(report_page(r).find("<script>alert"), std::string::npos);
 }
 
+TEST_F(ReportFiles, NothingWrongIsSaidWithItsBound) {
+  Json record = fuzz_record("mine");
+  record["counts"][0]["wrong"] = 0;
+  for (const char* key : {"outcomes", "severity", "cause"}) record["counts"][0].erase(key);
+  write("a/summary.json", record.dump());
+  const Json line = report()["verdicts"][0];
+  EXPECT_EQ(line["text"], "mine: nothing wrong in 8 binary64 cases");
+  EXPECT_EQ(line["detail"], "so at most 31.2 % wrong of such cases, with 95 % confidence");
+}
+
 TEST_F(ReportFiles, ANameThatLooksLikeAnOptionIsQuotedInACommand) {
   write("a/summary.json", fuzz_record("--a;b").dump());
   EXPECT_TRUE(report()["runs"][0]["command"].get<std::string>().starts_with("tribunal fuzz --method '--a;b' --family"));
@@ -409,6 +419,8 @@ TEST(Atlas, PointsCanBeToldApart) {
 
 TEST(Atlas, SaysInWordsWhereTheyMeet) {
   EXPECT_EQ(in_words(class_row(class_named("C001"))), "A segment and a triangle, not in one plane, do not meet.");
+  EXPECT_EQ(in_words(class_row(class_named("C012"))),
+            "A segment and a triangle, not in one plane, meet in one point: an end of the segment lies on an edge.");
   for (const auto& table : {class_table(), ray_class_table()}) {
     for (const ClassRow& row : table) {
       const std::string words = in_words(row);
