@@ -34,8 +34,7 @@ PixelCause cause_at(const World& world, const Method& method, const DifferingPix
     return orders_hits(method) ? PixelCause::wrong : PixelCause::not_owed;
   }
   const Query query{parting->probe, world.triangles[*parting->face]};
-  const Outcome outcome = judge(method, exact_truth(query), method.ask(query));
-  return is_wrong(outcome) ? PixelCause::wrong : PixelCause::not_owed;
+  return shows_wrong_answer(method, query) ? PixelCause::wrong : PixelCause::not_owed;
 }
 
 /// All scenes in one format.
