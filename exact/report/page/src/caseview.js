@@ -2,6 +2,7 @@
 import {code, h, link} from './dom.js';
 import {asC, asJson, asPython, canEmit, replayOfText} from './emit.js';
 import {ratio} from './exact.js';
+import {isOfMesh, meshError} from './mesh.js';
 import {crossingOf, questionOf} from './question.js';
 import {classRow, report, severityInWords} from './report.js';
 import {to} from './route.js';
@@ -31,9 +32,11 @@ function copyButton(name, make) {
 
 function verdictLine(entry) {
   if (!entry.outcome) return null;
-  return h(
-      'p', {class: 'lead'}, h('b', {class: 'wrong'}, `${entry.method}: ${entry.outcome}`),
-      entry.in_words && ` – ${entry.in_words}`, '.');
+  return [
+    h('p', {class: 'lead'}, h('b', {class: 'wrong'}, `${entry.method}: ${entry.outcome}`),
+      entry.in_words && ` – ${entry.in_words}`, '.'),
+    isOfMesh(entry) && meshError(entry)
+  ];
 }
 
 /** Where a case was generated: in a family, along an axis, or on a mesh; of one's own data, from which file. */
