@@ -47,11 +47,23 @@ def test_every_view_draws(page):
         check('undefined' not in page.text('main') and 'NaN' not in page.text('main'), f'{fragment}: undefined or NaN')
         for canvas in page.all('main canvas'):
             check(page.colours(canvas) > 1, f'{fragment}: a canvas is blank')
-    worst = page.data['verdicts'][0]['text']
-    page.go('#/')
-    check(page.text('h1') == worst, 'the first line is not the worst verdict')
+    test_the_worst_comes_first(page)
     headings = page.run("return [...document.querySelectorAll('h2')].map((x) => x.textContent)")
     check(headings[0] == 'What was not covered', f'not covered comes first, not {headings[0]}')
+
+
+SEVERITIES = {'plain': 'wrong in plain general position', 'boundary': 'wrong on boundaries', 'extreme': 'wrong at extreme scale'}
+
+
+def test_the_worst_comes_first(page):
+    """The first line says whom it is about and how bad it is; the figures of the verdict stand below it."""
+    page.go('#/')
+    worst = page.data['verdicts'][0]
+    headline = f'{worst["method"]}: {SEVERITIES[worst["level"]]}' if worst['level'] in SEVERITIES else worst['text']
+    check(page.text('h1') == headline, f'the first line is not the worst verdict: {page.text("h1")}')
+    figures = worst['text'].removeprefix(worst['method'] + ': ').replace(' %', '\u00a0%')
+    check(figures in page.text('.worst'), 'the worst verdict has no figures')
+    check('✗' in page.text('.legend') or worst['level'] not in ('plain', 'fault'), 'the marks have no legend')
 
 
 def test_from_the_matrix_to_a_case(page):

@@ -75,9 +75,10 @@ export function heatGrid({rows, columns, cellOf, corner, label, compact}) {
           href: told?.href,
           class: `heat heat-${step < 0 ? 'none' : step}`,
           tabindex: -1,
-          'aria-label':
-              `${step < 0 ? 'nobody was asked' : `${text || percent(told.share)} % wrong`.replace('% %', '%')}: ${
-                  rows[r].name}, ${columns[c].name}`,
+          'aria-label': `${
+              step < 0 ? 'nobody was asked' :
+                         `${text || percent(told.share)} % wrong`.replace(
+                             '\u00a0% %', '\u00a0%')}: ${rows[r].name}, ${columns[c].name}`,
           role: told?.href ? null : 'img',
           onfocus: () => {
             here = [r, c];

@@ -1,7 +1,7 @@
 // Lists of cases, by what a page wants of them, and choices between runs.
 import {h, link, table} from './dom.js';
 import {grouped} from './figures.js';
-import {classRow, report} from './report.js';
+import {classRow, report, titleOf} from './report.js';
 import {note, to} from './route.js';
 
 /** Numbers of the cases of a run with these features. */
@@ -31,7 +31,7 @@ export function chooseRun(runs, index, where) {
         runs.map(
             (run) =>
                 h('option', {value: run.index, selected: run.index === index},
-                  run.title === run.directory ? run.title : `${run.title} (${run.directory})`)));
+                  run.title === run.directory ? run.title : `${titleOf(run)} (${run.directory})`)));
   return h('p', {class: 'controls'}, h('label', { for: 'run'
            }, 'of '), select);
 }
@@ -99,8 +99,8 @@ export function casesPage(query) {
     h('p', {class: 'lead'},
       `${grouped(numbers.length)} of ${
           grouped(
-              all.length)} in this report, the worst first: everyday input before boundaries before extreme scales.`),
-    h('p', {class: 'controls'}, pick('run', report.runs.map((run, i) => [i, `${run.kind}: ${run.title}`])),
+              all.length)} in this report, the worst first: plain input (general position, everyday scale) before boundaries before extreme scales.`),
+    h('p', {class: 'controls'}, pick('run', report.runs.map((run, i) => [i, `${run.kind}: ${titleOf(run)}`])),
       pick('method', seen((entry) => entry.method)), pick('outcome', seen((entry) => entry.outcome)),
       pick('severity', seen((entry) => entry.severity))),
     numbers.length ? caseList(numbers) : h('p', {}, 'None.'),

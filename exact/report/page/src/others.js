@@ -2,7 +2,7 @@
 import {code, h, link, table} from './dom.js';
 import {grouped, percent, significant} from './figures.js';
 import {caseList, chooseRun} from './lists.js';
-import {report, runsOf} from './report.js';
+import {report, runsOf, titleOf} from './report.js';
 import {to} from './route.js';
 
 const pick = (kind, path) => {
@@ -93,7 +93,7 @@ export function aboutPage() {
     h('h2', {}, 'Runs'),
     report.runs.map(
         (run) =>
-            h('details', {}, h('summary', {}, `${run.kind}: ${run.title}`),
+            h('details', {}, h('summary', {}, `${run.kind}: ${titleOf(run)}`),
               h('p', {}, `Files: ${run.files.join(', ')}`), run.command && h('pre', {tabindex: 0}, run.command),
               h('dl', {class: 'facts'},
                 Object.entries(run.environment ?? {})

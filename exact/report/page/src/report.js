@@ -24,6 +24,11 @@ export function rows(table) {
 }
 
 export const runsOf = (kind) => report.runs.map((run, index) => ({...run, index})).filter((run) => run.kind === kind);
+
+/** The title of a run; a map of rays says so. */
+export const titleOf = ({kind, title, record}) =>
+    (kind === 'map' && record?.probe === 'ray' && !title.includes('ray') ? `${title}, rays` : title);
+
 export const classRow = (id) => report.classes?.find((row) => row.id === id);
 export const method = (name) => report.methods?.[name] ?? {};
 
@@ -37,7 +42,7 @@ export function inOrder(names, order = report.method_order ?? []) {
 export const answersOf =
     (entry) => [...(entry.answers ?? '')].map((letter, i) => ({name: report.answer_methods[i], letter}));
 
-/** How bad a verdict is: 0 nothing, 1 a gap, 2 wrong where it is hard, 3 wrong on everyday input. */
+/** How bad a verdict is: 0 nothing, 1 a gap, 2 wrong where it is hard, 3 wrong on plain input. */
 export const gravity = (level) => ({
                                     plain: 3,
                                     fault: 3,
@@ -52,7 +57,7 @@ export const gravity = (level) => ({
     0;
 
 export const severityInWords = {
-  plain: 'everyday input in general position',
+  plain: 'general position, everyday scale',
   boundary: 'on boundaries, at everyday scale',
   extreme: 'at extreme scales',
 };
