@@ -41,8 +41,10 @@ export function meshError(entry) {
       `Ray ${ray}${aim ? `, aimed at ${aim},` : ''} was asked about ${faces}: ${meshOutcomes[entry.outcome]}. `,
       `Shown is face ${face}, one of those that it is about.${due}`),
     ofMany.includes(entry.outcome) &&
-        h('p', {class: 'note'},
-          'The error is in the answers to several faces together. The command below asks this one triangle only, and the method may be right there. ',
+        h('p', {class: 'note'}, 'The error is in what was told of several faces together. ', code('replay'),
+          ' asks this one triangle only, ',
+          /\/(closest|any|all|inside)$/.test(entry.method) ? 'and cannot ask a tree of faces. ' :
+                                                             'and there the method may well be right. ',
           run?.command && ['The whole trial is made again by ', code(run.command), '.']),
   ];
 }

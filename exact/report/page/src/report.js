@@ -32,6 +32,10 @@ export const titleOf = ({kind, title, record}) =>
 export const classRow = (id) => report.classes?.find((row) => row.id === id);
 export const method = (name) => report.methods?.[name] ?? {};
 
+/** Whether a method came from a shared library of the user's, as the record of its run says. */
+export const isPlugin = (name) => /^plugin\b/.test(method(name).reference ?? '') ||
+    runsOf('chart').some(({record}) => record.methods?.some((one) => one.name === name && one.origin === 'plugin'));
+
 /** Names in the order of the program's table; those that it does not know stand last. */
 export function inOrder(names, order = report.method_order ?? []) {
   const place = (name) => (order.includes(name) ? order.indexOf(name) : order.length);
