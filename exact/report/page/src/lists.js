@@ -36,8 +36,8 @@ export function chooseRun(runs, index, where) {
            }, 'of '), select);
 }
 
-/** Shows a long list by so many at a time. */
-export function paged(items, draw, size) {
+/** Shows a long list by so many at a time; `what` they are is said beside the numbers. */
+export function paged(items, draw, size, what = '') {
   if (items.length <= size) return draw(items);
   const box = h('div', {});
   const show = (from) => {
@@ -45,7 +45,7 @@ export function paged(items, draw, size) {
         'button', {type: 'button', disabled: target < 0 || target >= items.length, onclick: () => show(target)}, name);
     box.replaceChildren(
         h('p', {class: 'steps'}, step(from - size, '←'),
-          ` ${from + 1}–${Math.min(items.length, from + size)} of ${items.length} `, step(from + size, '→')),
+          ` ${from + 1}–${Math.min(items.length, from + size)} of ${items.length} ${what} `, step(from + size, '→')),
         draw(items.slice(from, from + size)));
   };
   show(0);
