@@ -115,7 +115,7 @@ export function casePage(entry, state, heading) {
   return h(
       'article', {class: 'case'}, heading,
       h('h1', {class: 'id'}, code(data.id), ' ', h('small', {}, data.fmt ?? 'binary64')), verdictLine(entry),
-      h('div', {class: 'pair'}, stage(question, state),
+      h('div', {class: 'pair'}, stage(question, state, entry.truth?.hit),
         h('div', {}, facts(entry, question), classPart(classRow(entry.class ?? data.class)),
           h('section', {}, h('h2', {class: 'minor'}, 'Take it away'),
             h('div', {class: 'copies'}, copyButton('case (JSON line)', () => asJson(data)),
