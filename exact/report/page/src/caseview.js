@@ -101,7 +101,7 @@ function classPart(row) {
 
 /** A record holds the hash of a plugin's library and not its file, so whoever replays must name it. */
 const pluginNote = ({method}) =>
-    (isPlugin(method) ? h('p', {class: 'note'}, `${method} is a plugin: put the file of its library in place of `,
+    (isPlugin(method) ? h('p', {class: 'note'}, `${method} is not built in: put the file of its library in place of `,
                           code(libraryPlaceholder), '.') :
                         null);
 

@@ -91,7 +91,7 @@ function barsDrawn(p, x, y) {
 
 function markOf(p, x, y, number, say) {
   return svg(
-      'a', {href: p.href, 'aria-label': p.words, onfocus: () => say(p), onpointerenter: () => say(p)},
+      'a', {href: p.href, 'aria-label': `${p.number} ${p.words}`, onfocus: () => say(p), onpointerenter: () => say(p)},
       markAt(
           p.look.shape, x.place(p.time), y.place(p.y), 6,
           {fill: p.bound ? 'var(--paper)' : p.look.colour, stroke: p.look.colour, 'stroke-width': 2}),

@@ -32,9 +32,17 @@ export const titleOf = ({kind, title, record}) =>
 export const classRow = (id) => report.classes?.find((row) => row.id === id);
 export const method = (name) => report.methods?.[name] ?? {};
 
-/** Whether a method came from a shared library of the user's, as the record of its run says. */
-export const isPlugin = (name) => /^plugin\b/.test(method(name).reference ?? '') ||
-    runsOf('chart').some(({record}) => record.methods?.some((one) => one.name === name && one.origin === 'plugin'));
+/**
+ * Whether a method that the program asked came from a shared library of the user's: a record may have the library's
+ * hash, and of its own methods the program says what they are about. Answers that were only judged came from elsewhere.
+ */
+export function isPlugin(name) {
+  const {about, reference} = method(name);
+  if (/\blibrary sha256\b/.test(reference ?? '')) return true;
+  const asked = ({kind, judged, methods}) =>
+      methods?.includes(name) && !judged && (kind !== 'leak' || !name.includes('/'));
+  return about === undefined && report.runs.some(asked);
+}
 
 /** Names in the order of the program's table; those that it does not know stand last. */
 export function inOrder(names, order = report.method_order ?? []) {
