@@ -4,7 +4,10 @@ source "$(dirname "$0")/common.bash"
 cd "$SOURCE_DIR"
 
 expect 0 render data/scenes/elephant.json --method mt-float --against sf-rational -o "$scratch/a.png" --stats "$scratch/a.json" --threads 2
-[ -s "$scratch/a.png" ] && [ -s "$scratch/a.against.png" ] && [ -s "$scratch/a.diff.png" ] && [ -s "$scratch/a.cases.jsonl" ]
+[ -s "$scratch/a.png" ]
+[ -s "$scratch/a.against.png" ]
+[ -s "$scratch/a.diff.png" ]
+[ -s "$scratch/a.cases.jsonl" ]
 grep -q '"triangle_tests"' "$scratch/a.json"
 says out '2 solids, ' && says out ': 1 of 2 solids'
 expect 1 replay "$scratch/a.cases.jsonl"

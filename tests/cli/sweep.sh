@@ -47,7 +47,8 @@ expect 2 sweep --axis scale,scale --out no
 # A failure map: pixels as text, a picture, and each pixel a case that replays as the map says.
 expect 0 sweep --map edge --map-size 64 --method sf-float,sf-double,mt-double,sf-filtered --out maps
 says out 'sf-filtered'
-[ -s maps/map-edge.svg ] && [ -s maps/map-edge.png ]
+[ -s maps/map-edge.svg ]
+[ -s maps/map-edge.png ]
 python3 - maps/map-edge.json >pixels <<'PYTHON'
 import json, sys
 m = json.load(open(sys.argv[1]))
@@ -80,7 +81,8 @@ expect 0 sweep --redraw maps
 
 # The same of rays: the record has a name of its own, and its pixels replay as they are drawn.
 expect 0 sweep --map vertex --probe ray --map-size 32 --method mt-double,sf-filtered --out maps
-[ -s maps/map-vertex-ray.svg ] && [ ! -e maps/map-vertex.json ]
+[ -s maps/map-vertex-ray.svg ]
+[ ! -e maps/map-vertex.json ]
 python3 - maps/map-vertex-ray.json >pixels <<'PYTHON'
 import json, sys
 m = json.load(open(sys.argv[1]))
