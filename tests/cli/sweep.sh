@@ -61,7 +61,7 @@ for p in m["panels"]:
         print(p["method"], c, x, y)
 PYTHON
 grep -q '^sf-double [+-]' pixels
-! grep -q '^sf-filtered [+-]' pixels
+! grep -q '^sf-filtered [+-]' pixels || { echo "an exact method has wrong pixels" >&2; exit 1; }
 while read -r method c x y; do
   expect 0 sweep --map edge --map-size 64 --pixel "$method,$x,$y"
   mv out pixel.jsonl
@@ -104,7 +104,7 @@ says out 'sf-filtered: nothing wrong of'
 says out 'double hit'
 for file in sweep.json witnesses.jsonl afar.off axis-afar.svg axis-afar.png thresholds.svg; do [ -s "afar/$file" ]; done
 grep -q '^afar,binary64,0,mt-double,ray,parity,' afar/sweep.csv
-! grep -q '^afar,.*,segment,' afar/sweep.csv
+! grep -q '^afar,.*,segment,' afar/sweep.csv || { echo "segments on an axis of rays" >&2; exit 1; }
 grep -q '"operands":"mesh"' afar/sweep.json
 mkdir redrawn
 cp afar/sweep.json redrawn

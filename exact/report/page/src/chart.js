@@ -139,6 +139,12 @@ function shareOf({wrong, judged, share, lower, upper}) {
   return {y: wrong === 0 ? upper : share, k: wrong, n: judged, share, lower, upper, bound: wrong === 0};
 }
 
+/** All pixels of some scenes are no sample, so there is no interval; none wrong is drawn at half a pixel. */
+function shareOfPixels({wrong, pixels}) {
+  const y = (wrong || 0.5) / pixels;
+  return {y, k: wrong, n: pixels, share: wrong / pixels, lower: y, upper: y, bound: wrong === 0, counted: true};
+}
+
 /** Times of tests, as multiples of the yardstick's where the record has them: these hold on other machines too. */
 function panelsOfTests(record) {
   const timed = record.rows.filter((row) => row.nanoseconds?.median > 0 && row.answers?.judged > 0);
@@ -178,7 +184,7 @@ function panelOfPictures({pictures}) {
         name: `Pictures, ${fmt}`,
         about: `Pixels that show a wrong answer, of ${
             pictures.scenes?.length ??
-            'some'} scenes; what differs only because a secondary ray starts elsewhere is not wrong`,
+            'some'} scenes; what differs only because a secondary ray starts elsewhere is not wrong. Shares have no interval, since all pixels are counted; a hollow mark stands at half a pixel`,
         unit: 'ns a ray',
         xTitle: 'nanoseconds a ray, one thread',
         points: drawn.filter((row) => row.fmt === fmt)
@@ -186,7 +192,7 @@ function panelOfPictures({pictures}) {
                            method: row.method,
                            fmt,
                            time: 1e9 / row.rays_per_second.median,
-                           ...shareOf({...row, judged: row.pixels}),
+                           ...shareOfPixels(row),
                            timeInWords: `${significant(row.rays_per_second.median / 1e6)} million rays a second`,
                          })),
       }));
@@ -236,7 +242,7 @@ export function chartPage(path, query) {
   return [
     h('h1', {}, 'What being right costs'),
     h('p', {class: 'lead'},
-      'To the left is faster, down is right more often; both axes are logarithmic, and all marks were given the same cases. A hollow mark was never wrong: it stands at the most that its share may be, with 95\u00a0% confidence. The line is the frontier: nobody is both faster and more often right.'),
+      'To the left is faster, down is right more often; both axes are logarithmic, and all marks were given the same cases. A hollow mark was never wrong: it stands at the most that its share may be, with 95\u00a0% confidence, where the cases are a sample. The line is the frontier: nobody is both faster and more often right.'),
     chooseRun(runs, run.index, 'chart'),
     tabs('population', panels.map(({name}) => name), panel?.name, (name) => to('chart', run.index, {panel: name})),
     panel && h('p', {}, `${panel.about}.`),
@@ -252,7 +258,7 @@ export function chartPage(path, query) {
                       [h('b', {}, `${p.number} `), markIcon(p.look), ' ', code(p.method)],
                       {cell: significant(p.time), class: 'n'}, {cell: grouped(p.k), class: 'n'},
                       {cell: grouped(p.n), class: 'n'}, {cell: percent(p.share), class: 'n'},
-                      {cell: percent(p.upper), class: 'n'}, front.has(p.method) ? '●' : '']),
+                      {cell: p.counted ? '' : percent(p.upper), class: 'n'}, front.has(p.method) ? '●' : '']),
               {label: 'speed and accuracy'})
         ],
     onset(record, order),
