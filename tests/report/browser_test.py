@@ -89,6 +89,21 @@ def test_from_the_matrix_to_a_case(page):
     time.sleep(0.1)
 
 
+def test_the_first_3d_view(page):
+    """It fills its box, and no name lies on another."""
+    for number in range(0, len(page.data['cases']), max(1, len(page.data['cases']) // 24)):
+        page.go(f'#/case/{number}')
+        box, spots, names = page.run("""
+            const rect = (x) => { const {left, top, right, bottom} = x.getBoundingClientRect(); return [left, top, right, bottom]; };
+            const seen = [...document.querySelectorAll('.spot')].filter((x) => !x.hidden);
+            return [rect(document.querySelector('canvas.stage')), seen.map(rect), seen.map((x) => rect(x.firstChild))];""")
+        spans = [(max(s[i + 2] for s in spots) - min(s[i] for s in spots)) / (box[i + 2] - box[i]) for i in (0, 1)]
+        check(max(spans) > 0.6, f'case {number} fills {spans} of its box')
+        for i, a in enumerate(names):
+            for b in names[:i]:
+                check(a[0] >= b[2] or a[2] <= b[0] or a[1] >= b[3] or a[3] <= b[1], f'case {number}: a name lies on another')
+
+
 def test_the_case_in_3d(page):
     canvas = page.focus('canvas.stage')
     check(page.colours(canvas) > 3, 'the 3D view is blank')
@@ -189,6 +204,8 @@ def test_pictures(page):
     time.sleep(0.3)
     canvas = page.find('canvas.picture')
     before = page.run('return arguments[0].toDataURL()', canvas)
+    count = len(next(run for run in page.data['runs'] if run['kind'] == 'render')['record']['pixels']['rows'])
+    check(page.run("return document.querySelector('#frames').checked") == (count <= 200), 'frames hide the picture')
     page.focus('#split')
     page.press(*[Keys.ARROW_RIGHT] * 12)
     check(page.run('return arguments[0].toDataURL()', canvas) != before, 'the slider changes nothing')
@@ -337,7 +354,7 @@ def run(file, tests):
         page.close()
 
 
-run(sys.argv[1], [test_every_view_draws, test_from_the_matrix_to_a_case, test_the_case_in_3d, test_a_copied_case_replays,
+run(sys.argv[1], [test_every_view_draws, test_the_first_3d_view, test_from_the_matrix_to_a_case, test_the_case_in_3d, test_a_copied_case_replays,
                   test_signs_are_those_of_the_program, test_cases_of_every_kind_of_run, test_a_pixel_of_a_map_is_a_case, test_sweep_by_keys, test_pictures,
                   test_a_mesh_trial, test_a_plugin_needs_its_library, test_the_chart_opens_at_the_worst, test_thresholds_are_those_chosen,
                   test_a_state_is_a_link, test_widths_and_accessibility])
