@@ -7,8 +7,10 @@
 
 #include <cerrno>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <ctime>
+#include <sstream>
 #include <string>
 
 #include "exact/base/failure.h"
@@ -17,6 +19,9 @@
 
 namespace tribunal {
 namespace {
+
+/// How a script ended: it was not run, a module was missing, a signal ended it, it could not draw the record, or well.
+enum class Ending : std::uint8_t { no_python, no_module, killed, refused, well };
 
 /// The plot script in a file, the arguments for it, and the file that takes what it prints.
 class Script {
@@ -34,13 +39,22 @@ class Script {
   Script(const Script&) = delete;
   Script& operator=(const Script&) = delete;
 
-  /// Whether this interpreter, a path or a name in PATH, exists and the script ends well.
-  bool run_by(const char* interpreter) {
+  /// How the script ends with this interpreter, a path or a name in PATH.
+  Ending run_by(const char* interpreter) {
     char* const arguments[] = {const_cast<char*>(interpreter), file_.data(), json_.data(), directory_.data(), nullptr};
     pid_t child = 0;
-    if (posix_spawnp(&child, interpreter, &output_, nullptr, arguments, environ) != 0) return false;
+    if (posix_spawnp(&child, interpreter, &output_, nullptr, arguments, environ) != 0) return Ending::no_python;
     const int status = status_of(child);
-    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    if (!WIFEXITED(status)) return Ending::killed;
+    if (WEXITSTATUS(status) == 0) return Ending::well;
+    return WEXITSTATUS(status) == script_lacks_module ? Ending::no_module : Ending::refused;
+  }
+
+  /// By Debian's own Python, or where that lacks anything, by the one in PATH.
+  Ending run() {
+    const Ending first = run_by("/usr/bin/python3");
+    const bool lacks = first == Ending::no_python || first == Ending::no_module;
+    return lacks && interrupted() == 0 ? run_by("python3") : first;
   }
 
   const std::string& file() const { return file_; }
@@ -66,18 +80,32 @@ class Script {
   posix_spawn_file_actions_t output_{};
 };
 
+std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
 }  // namespace
 
-void draw_figures(const std::string& directory, const std::string& script, const std::string& record) {
+std::vector<std::string> draw_figures(const std::string& directory, const std::string& script,
+                                      const std::string& record) {
   Script plot(directory, record);
   write_file(plot.file(), script);
-  const bool drawn = plot.run_by("/usr/bin/python3") || (interrupted() == 0 && plot.run_by("python3"));
+  const Ending ending = plot.run();
   fail_if_interrupted("not all figures are drawn, " + record + " holds the numbers");
-  if (!drawn) {
+  if (ending == Ending::no_python || ending == Ending::no_module) {
     throw Failure(Exit::resources, "no figures: they need python3 with matplotlib (Debian: python3-matplotlib); " +
                                        plot.log() + " says more, " + record + " holds the numbers");
   }
+  if (ending == Ending::killed) throw Failure(Exit::resources, "no figures: a signal ended " + plot.file());
+  if (ending == Ending::refused) {
+    throw bad_input(directory + "/" + record, 0, "not as this version writes it, " + plot.log() + " says where");
+  }
+  std::vector<std::string> lines = lines_of(read_file(plot.log()));
   std::remove(plot.log().c_str());
+  return lines;
 }
 
 }  // namespace tribunal

@@ -2,11 +2,17 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace tribunal {
 
-/// Writes the script to the directory as plot.py and runs `plot.py DIRECTORY/record DIRECTORY`. Fails with
-/// Exit::resources where there is no Python with matplotlib, and with 128 + signal if interrupted.
-void draw_figures(const std::string& directory, const std::string& script, const std::string& record);
+/// What a script exits with if a module is missing that it draws with.
+inline constexpr int script_lacks_module = 69;
+
+/// Writes the script to the directory as plot.py and runs `plot.py DIRECTORY/record DIRECTORY`; returns the lines that
+/// it prints. Fails with Exit::resources where there is no Python with matplotlib, with Exit::bad_input where the
+/// script cannot draw the record, and with 128 + signal if interrupted; plot.log then says what the script said.
+std::vector<std::string> draw_figures(const std::string& directory, const std::string& script,
+                                      const std::string& record);
 
 }  // namespace tribunal

@@ -1,6 +1,8 @@
 #include "exact/certificate/bounds.h"
 
+#include <algorithm>
 #include <boost/math/distributions/binomial.hpp>
+#include <ranges>
 
 namespace tribunal {
 
@@ -14,6 +16,13 @@ double upper_bound(std::uint64_t failures, std::uint64_t n, double alpha) {
 double lower_bound(std::uint64_t failures, std::uint64_t n, double alpha) {
   if (failures == 0) return 0;
   return Binomial::find_lower_bound_on_p(static_cast<double>(n), static_cast<double>(failures), alpha);
+}
+
+std::uint64_t median_rank(std::uint64_t n, double alpha) {
+  const Binomial below_median(static_cast<double>(n), 0.5);
+  const auto ranks = std::views::iota(std::uint64_t{1}, n / 2 + 1);
+  const auto encloses = [&](std::uint64_t k) { return cdf(below_median, static_cast<double>(k - 1)) <= alpha / 2; };
+  return static_cast<std::uint64_t>(std::ranges::partition_point(ranks, encloses) - ranks.begin());
 }
 
 }  // namespace tribunal

@@ -57,7 +57,8 @@ Json to_json(const ChartPlan& plan, const Chart& chart);
 std::string to_table(const ChartPlan& plan, const Chart& chart);
 
 /// Writes exact/chart/plot.py and the figures to the directory, which holds chart.json; nothing is measured. Returns
-/// the names of the figures, without endings. Fails as `draw_figures` does.
-std::vector<std::string> plot(const std::string& directory, const Json& record);
+/// the names of the figures that were drawn, without endings, and removes older ones of the other names. Fails as
+/// `draw_figures` does.
+std::vector<std::string> plot(const std::string& directory);
 
 }  // namespace tribunal

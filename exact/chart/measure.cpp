@@ -78,36 +78,44 @@ TimedTest polygon_test(const Method& method, const std::vector<Query>& queries) 
   };
 }
 
-/// The tests of a panel, the yardstick first.
-std::vector<TimedTest> tests_of(const std::vector<Method>& methods, const std::vector<std::size_t>& asked,
-                                const std::vector<Query>& queries, const std::vector<SegmentPair>& pairs) {
-  std::vector<TimedTest> tests{timed_test(single_loop(yardstick_method()), pairs)};
-  for (const std::size_t m : asked) {
-    const bool of_polygons = queries.front().operands() == Operands::polygons;
-    tests.push_back(of_polygons ? polygon_test(methods[m], queries) : timed_test(single_loop(methods[m]), pairs));
+/// The tests of a panel, the yardstick first, and for each row the index of its test. The yardstick among the methods
+/// is not timed twice.
+struct PanelTests {
+  std::vector<TimedTest> tests{};
+  std::vector<std::size_t> of_row{};
+};
+
+PanelTests tests_of(const std::vector<Method>& methods, const std::vector<ChartRow>& rows,
+                    const std::vector<Query>& queries, const std::vector<SegmentPair>& pairs) {
+  PanelTests panel{{timed_test(single_loop(yardstick_method()), pairs)}};
+  const bool of_polygons = queries.front().operands() == Operands::polygons;
+  for (const ChartRow& row : rows) {
+    const Method& method = methods[row.method];
+    const bool is_yardstick = !of_polygons && method.name == yardstick_method().name;
+    panel.of_row.push_back(is_yardstick ? 0 : panel.tests.size());
+    if (is_yardstick) continue;
+    panel.tests.push_back(of_polygons ? polygon_test(method, queries) : timed_test(single_loop(method), pairs));
   }
-  return tests;
+  return panel;
 }
 
 /// The rows of one panel, their counts still empty. The yardstick's loop runs beside, on the same triangles, or, where
 /// these are polygons, on random ones.
 std::vector<ChartRow> timed_rows(const ChartPlan& plan, const Panel& panel) {
   const Population& population = all_populations()[panel.population];
-  std::vector<std::size_t> asked;
   std::vector<ChartRow> rows;
   for (std::size_t m = 0; m < plan.methods.size(); ++m) {
     const Method& method = plan.methods[m];
     if (!takes(method, panel.format) || !takes(method, population)) continue;
-    asked.push_back(m);
     rows.push_back({m, panel.population, panel.format, method.contract.format == panel.format, {}, {}});
   }
   if (rows.empty()) return rows;
   const std::vector<Query> queries = queries_of(panel, plan);
   const std::vector<SegmentPair> pairs = population.of_polygons() ? random_pairs(queries.size(), 7) : pairs_of(queries);
-  const std::vector<Timing> times =
-      time_stretches(tests_of(plan.methods, asked, queries, pairs),
-                     {.cases = pairs.size(), .round = class_count, .repetitions = plan.repetitions, .yardstick = 0});
-  for (std::size_t i = 0; i < rows.size(); ++i) rows[i].time = times[i + 1];
+  const PanelTests timed = tests_of(plan.methods, rows, queries, pairs);
+  const std::vector<Timing> times = time_stretches(
+      timed.tests, {.cases = pairs.size(), .round = class_count, .repetitions = plan.repetitions, .yardstick = 0});
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i].time = times[timed.of_row[i]];
   return rows;
 }
 

@@ -20,8 +20,9 @@ try:
     from plot_marks import (FAINT, FORMATS, INK, PALE, SMALL, WIDTH, Line2D, Methods, Scale, decades, draw_panel, dress_x,
                             percent, whole)
     from plot_sheet import GAP, LINE, RIGHT, Grid, Key, Sheet, machine, shortened, width_of, wrapped
-except ModuleNotFoundError as missing:
-    sys.exit(f"plot.py: no module {missing.name} (Debian: python3-matplotlib)")
+except ImportError as missing:
+    print(f"plot.py: no module {missing.name} (Debian: python3-matplotlib)", file=sys.stderr)
+    sys.exit(69)  # script_lacks_module
 
 # --- share of wrong answers against time ---------------------------------------------------------------------------
 
@@ -86,12 +87,22 @@ def unjudged_notes(record, methods, panels):
     return notes
 
 
-def bars_note(repetitions):
+def bars_note(repetitions, shares="of shares by Clopper and Pearson"):
     time = (f"of time for the median over {repetitions} repetitions, by ranks" if repetitions >= 6
             else "of time none, for want of repetitions")
-    return (f"Bars are 95 % intervals both ways: of shares by Clopper and Pearson, {time}. Dashed: the frontier, than "
-            "which nothing is both quicker and less often wrong. In the grey band nothing was wrong; heights in it mean "
-            "nothing.")
+    return (f"Bars are 95 % intervals: {time}; {shares}. Dashed: the frontier, than which nothing is both quicker and "
+            "less often wrong. In the grey band nothing was wrong; heights in it mean nothing.")
+
+
+def stretches_note(record):
+    """What the clock's repetitions have in common."""
+    times = [r["nanoseconds"] for r in record["rows"]]
+    repetitions, stretches = (max(t[key] for t in times) for key in ("repetitions", "stretches"))
+    batches = sorted({t["batch"] for t in times})
+    asked = f"{whole(batches[0])} to {whole(batches[-1])}, the slower the fewer" if batches[1:] else whole(batches[0])
+    took = (f"took {'other ones' if stretches == repetitions else f'one of {stretches} stretches'}" if stretches > 1
+            else "took the same")
+    return f"Cases in a repetition: {asked}; each repetition {took}."
 
 
 def bound_note(n):
@@ -113,9 +124,9 @@ def speed_accuracy(record, figure, title, out):
     if figure == "polygons":  # those that take none are no news
         methods.by_name = {m: methods.by_name[m] for m in taking}
     repetitions = max(r["nanoseconds"]["repetitions"] for r in record["rows"])
-    unit = f"1 = {record['yardstick']} in the same run" + (", on random triangles; polygons are prepared."
-                                                         if figure == "polygons" else ", on the same pairs.")
-    notes = [bars_note(repetitions), f"Time: {unit} Each repetition took other pairs.",
+    unit = f"1 = {record['yardstick']} in the same repetition" + (
+        ", on random triangles; polygons are prepared." if figure == "polygons" else ", on pairs of the same population.")
+    notes = [bars_note(repetitions), f"Time: {unit} {stretches_note(record)}",
              bound_note(max(r["n"] for r in drawn))]
     notes += unjudged_notes(record, methods, panels)
     if figure != "shares":
@@ -165,14 +176,16 @@ def big(x):
 
 def pictures(record, out):
     part = record.get("pictures", {"rows": []})
-    rows = {fmt: [{**r, **interval(r["rays_per_second"]), "n": r["pixels"]} for r in part["rows"] if r["fmt"] == fmt]
-            for fmt in FORMATS}
+    rows = {fmt: [{**r, **interval(r["rays_per_second"]), "n": r["pixels"], "lower": r["share"], "upper": r["share"]}
+                  for r in part["rows"] if r["fmt"] == fmt] for fmt in FORMATS}
     if not part["rows"]:
         return
     once = sorted({r["method"] for r in part["rows"] if "lower" not in r["rays_per_second"]})
     numbers = Methods(record).number
     starts = max(r["other_start"] for r in part["rows"])
-    notes = [bars_note(max(r["repetitions"] for r in part["rows"])),
+    notes = [bars_note(max(r["repetitions"] for r in part["rows"]),
+                       "of shares none, since all pixels of these scenes are counted, none is drawn at random, and "
+                       "neighbours are wrong together"),
              f"{len(part['scenes'])} scenes: {', '.join(os.path.splitext(s)[0] for s in part['scenes'])}; all faces as "
              f"triangles, {whole(part['rows'][0]['pixels'])} pixels a method and format, rays of all kinds counted, one "
              "thread, shading included.",

@@ -1,5 +1,6 @@
 """The sheet that plot.py fills: a column of a paper wide, panels above, and below them a key and notes."""
 import functools
+import os
 
 import matplotlib.pyplot as plt
 from matplotlib.font_manager import findfont, get_font
@@ -68,6 +69,7 @@ class Sheet:
         self.figure.savefig(name + ".pdf", metadata={"CreationDate": None, "Creator": None, "Producer": None})
         self.figure.savefig(name + ".png", dpi=1280 / WIDTH, metadata={"Software": None})
         plt.close(self.figure)
+        print("drawn", os.path.basename(name))
 
 
 LINE = 0.107  # inches between lines

@@ -7,6 +7,7 @@
 #include "exact/cases/families/draw.h"
 #include "exact/cases/family_table.h"
 #include "exact/cases/polygon_families/table.h"
+#include "exact/cases/polygons/shapes.h"
 #include "exact/classes/class_table.h"
 #include "exact/filtered/filtered.h"
 
@@ -67,6 +68,14 @@ Population general(std::string_view key, std::string_view title, int percent) {
           .percent_hits = percent};
 }
 
+std::string polygon_text() {
+  return "affine images of " + std::to_string(shape_count) + " shapes in " + std::to_string(place_count) + " places";
+}
+
+std::string class_text(const char* more) {
+  return "affine images of all " + std::to_string(class_count) + " classes, " + more;
+}
+
 Family degenerate_family() {
   Family family = segments_of("affine");
   family.name = "affine-full";
@@ -88,13 +97,12 @@ Family segments_of(std::string_view name) {
 std::span<const Population> all_populations() {
   static const std::vector<Population> table = {
       general("general", "Random, 7 % hits", 7),
-      {"degenerate", "Exactly degenerate", "affine images of all 163 classes, full mantissas", degenerate_family()},
-      {"near", "Nearly degenerate", "affine images of all 163 classes, one vertex moved by ulps", segments_of("ulp")},
+      {"degenerate", "Exactly degenerate", class_text("full mantissas"), degenerate_family()},
+      {"near", "Nearly degenerate", class_text("one vertex moved by ulps"), segments_of("ulp")},
       general("general-0", "Random, 0 % hits", 0),
       general("general-50", "Random, 50 % hits", 50),
       general("general-100", "Random, 100 % hits", 100),
-      {"polygons", "Polygons, degenerate", "affine images of 22 shapes in 26 places", polygon_affine_family(),
-       Figure::polygons},
+      {"polygons", "Polygons, degenerate", polygon_text(), polygon_affine_family(), Figure::polygons},
       {"polygons-near", "Polygons, nearly so", "affine images of the shapes, a coordinate moved by ulps",
        polygon_ulp_family(), Figure::polygons},
   };

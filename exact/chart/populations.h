@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "exact/trial/fuzz.h"
@@ -17,7 +18,7 @@ enum class Figure : std::uint8_t { main, shares, polygons };
 /// repeats them.
 struct Population {
   std::string_view key, title;
-  std::string_view about;  ///< what a number measured on it is about
+  std::string about;  ///< what a number measured on it is about
   Family family;
   Figure figure = Figure::main;
   std::optional<int> percent_hits{};  ///< that it is dealt to have; else as many as there are

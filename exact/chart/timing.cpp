@@ -10,6 +10,7 @@
 
 #include "exact/base/failure.h"
 #include "exact/base/interrupt.h"
+#include "exact/certificate/bounds.h"
 
 namespace tribunal {
 namespace {
@@ -33,16 +34,45 @@ double pass(const NativeRun& run, std::span<std::uint8_t> hits) {
   return elapsed.count() / static_cast<double>(hits.size());
 }
 
-/// A test on one stretch after the other, with its samples so far.
+/// Equal parts of the population, which the repetitions take in turn, the same part for every test. They are as short
+/// as it takes for each repetition to have its own and one to be left, on which tests are asked before their first
+/// pass.
+class Stretches {
+ public:
+  explicit Stretches(const TimedRun& run)
+      : least_(std::min(run.round, run.cases)),
+        length_(rounds(run, run.cases / (static_cast<std::size_t>(run.repetitions) + 1))),
+        count_(run.cases / length_) {}
+
+  std::size_t length() const { return length_; }
+  std::size_t count() const { return count_; }
+  std::size_t first_case(std::size_t i) const { return i % count_ * length_; }
+
+  /// So many cases in whole rounds, and no more than a stretch has.
+  std::size_t part(const TimedRun& run, double affordable) const {
+    return std::min(length_, rounds(run, static_cast<std::size_t>(affordable)));
+  }
+
+ private:
+  std::size_t rounds(const TimedRun& run, std::size_t n) const {
+    return std::max(least_, std::min(n, most_at_once) / run.round * run.round);
+  }
+
+  std::size_t least_, length_, count_;
+};
+
+/// A test on one stretch after the other, or on the first cases of each, with its samples so far.
 class Track {
  public:
-  Track(const TimedTest& test, const TimedRun& run) : test_(test), cases_(run.cases), length_(length_for(test, run)) {}
+  Track(const TimedTest& test, const TimedRun& run, const Stretches& stretches)
+      : test_(test), stretches_(stretches), length_(length_for(test, run, stretches)) {}
 
+  /// Before the clock runs the test is asked cases of the stretch before, whose time is taken already.
   void sample() {
     std::vector<std::uint8_t> hits(length_);
-    const std::size_t first = next_;
-    next_ = next_ + 2 * length_ <= cases_ ? next_ + length_ : 0;
-    pass(test_(next_, std::min(length_, most_warming)), std::span(hits).first(std::min(length_, most_warming)));
+    const std::size_t i = samples_.size(), warming = std::min(length_, most_warming);
+    const std::size_t first = stretches_.first_case(i), before = stretches_.first_case(i + stretches_.count() - 1);
+    pass(test_(before, warming), std::span(hits).first(warming));
     samples_.push_back(pass(test_(first, length_), hits));
     const auto count = std::accumulate(hits.begin(), hits.end(), std::uint64_t{0});
     const auto [known, is_new] = hits_from_.try_emplace(first, count);
@@ -54,6 +84,7 @@ class Track {
   Timing timing(const Track* yardstick) const {
     Timing timing = summarise(samples_);
     timing.batch = length_;
+    timing.stretches = std::min(stretches_.count(), samples_.size());
     if (yardstick == nullptr) return timing;
     std::vector<double> ratios;
     for (std::size_t i = 0; i < samples_.size(); ++i) ratios.push_back(samples_[i] / yardstick->samples_[i]);
@@ -63,17 +94,17 @@ class Track {
 
  private:
   /// A pass takes about the time that every test's takes; the first pass warms caches up.
-  static std::size_t length_for(const TimedTest& test, const TimedRun& run) {
-    const std::size_t few = std::min(run.round, run.cases), most = std::min(run.cases, most_at_once);
-    const NativeRun trial = test(0, few);
+  static std::size_t length_for(const TimedTest& test, const TimedRun& run, const Stretches& stretches) {
+    const std::size_t few = std::min(run.round, stretches.length());
+    const NativeRun trial = test(stretches.first_case(stretches.count() - 1), few);
     std::vector<std::uint8_t> hits(few);
     pass(trial, hits);
-    const double affordable = std::min(pass_nanoseconds / pass(trial, hits), static_cast<double>(most));
-    return std::clamp(static_cast<std::size_t>(affordable) / run.round * run.round, few, std::max(few, most));
+    return stretches.part(run, std::min(pass_nanoseconds / pass(trial, hits), static_cast<double>(most_at_once)));
   }
 
   TimedTest test_;
-  std::size_t cases_, length_, next_ = 0;
+  Stretches stretches_;
+  std::size_t length_;
   std::vector<double> samples_{};
   std::map<std::size_t, std::uint64_t> hits_from_{};  ///< by the first case of a stretch
 };
@@ -86,19 +117,6 @@ double quantile(const std::vector<double>& sorted, double q) {
   return std::lerp(sorted[below], sorted[above], place - static_cast<double>(below));
 }
 
-/// The greatest k with P(B(n, 1/2) < k) ≤ 2.5 %: the k-th least and the k-th greatest of n samples enclose the median
-/// with at least 95 %. 0 where even the extremes do not.
-std::size_t rank_of_interval(std::size_t n) {
-  double term = std::pow(0.5, static_cast<double>(n)), below = term;
-  std::size_t k = 0;
-  while (below <= 0.025) {
-    ++k;
-    term *= static_cast<double>(n - k + 1) / static_cast<double>(k);
-    below += term;
-  }
-  return k;
-}
-
 extern "C" int answers_no_hit(int, const double*) { return 0; }
 
 /// Volatile, so that no compiler looks behind it.
@@ -109,7 +127,7 @@ int (*volatile const empty_function)(int, const double*) = answers_no_hit;
 Timing summarise(std::vector<double> nanoseconds) {
   std::ranges::sort(nanoseconds);
   const auto at = [&](double q) { return quantile(nanoseconds, q); };
-  return {0, static_cast<int>(nanoseconds.size()), at(0), at(0.25), at(0.5), at(0.75), at(1), {}};
+  return {0, 0, static_cast<int>(nanoseconds.size()), at(0), at(0.25), at(0.5), at(0.75), at(1), {}};
 }
 
 bool Median::has_interval() const { return std::isfinite(upper); }
@@ -117,14 +135,15 @@ bool Median::has_interval() const { return std::isfinite(upper); }
 Median median_of(std::vector<double> samples) {
   std::ranges::sort(samples);
   const double value = quantile(samples, 0.5);
-  const std::size_t rank = rank_of_interval(samples.size());
+  const std::size_t rank = median_rank(samples.size(), confidence_alpha);
   if (rank == 0) return {value, 0, std::numeric_limits<double>::infinity()};
   return {value, samples[rank - 1], samples[samples.size() - rank]};
 }
 
 std::vector<Timing> time_stretches(std::span<const TimedTest> tests, const TimedRun& run) {
+  const Stretches stretches(run);
   std::vector<Track> tracks;
-  for (const TimedTest& test : tests) tracks.emplace_back(test, run);
+  for (const TimedTest& test : tests) tracks.emplace_back(test, run, stretches);
   for (int i = 0; i < run.repetitions; ++i) {
     for (Track& track : tracks) track.sample();
     fail_if_interrupted("no times");

@@ -1,4 +1,4 @@
-// Time per test, of many methods on the same pairs.
+// Time per test, of many methods on cases of the same population.
 #pragma once
 
 #include <cstdint>
@@ -26,6 +26,8 @@ Median median_of(std::vector<double> samples);
 /// Nanoseconds per pair over the repetitions, nothing subtracted.
 struct Timing {
   std::uint64_t batch = 0;  ///< pairs in one repetition
+  std::uint64_t stretches =
+      0;  ///< different ones that the repetitions took: as many as these, if there are cases enough
   int repetitions = 0;
   double min = 0, lower_quartile = 0, median = 0, upper_quartile = 0, max = 0;
   std::optional<Median> ratio{};  ///< of each repetition's time to the yardstick's in the same repetition, if one ran
@@ -36,16 +38,19 @@ using TimedTest = std::function<NativeRun(std::size_t first, std::size_t count)>
 
 /// What is timed, and how.
 struct TimedRun {
-  std::size_t cases = 0;                   ///< of the population; every stretch lies within
-  std::size_t round = 1;                   ///< a slow test gets a short stretch: whole rounds where there are as many
+  std::size_t cases = 0;                   ///< of the population, at least 1; every stretch lies within
+  std::size_t round = 1;                   ///< stretches are whole rounds, where there are as many cases
   int repetitions = 31;                    ///< at least 1
   std::optional<std::size_t> yardstick{};  ///< index of the test to whose time all others are divided
 };
 
 /// One Timing a test. Each repetition times a pass of every test in turn, so that a change of the machine's speed meets
-/// all of them, and each over the stretch that follows the one of the repetition before, laid out just now: its cases
-/// lie in the cache, and no branch predictor knows their answers by heart. Throws std::logic_error if a stretch that
-/// comes again is answered otherwise. Fails with 128 + signal if interrupted.
+/// all of them, and all over the same stretch of cases, of which a slow test is asked only the first rounds: the cases
+/// of a ratio are of one population, but not as many on both sides. The stretch follows the one of the repetition
+/// before and is laid out just now: its cases lie in the cache, and no branch predictor knows their answers by heart.
+/// With fewer than repetitions + 1 rounds of cases, stretches come again. No two tests may run the same code: the first
+/// would teach the branch predictor what the second is asked. Throws std::logic_error if one that comes again is
+/// answered otherwise. Fails with 128 + signal if interrupted.
 std::vector<Timing> time_stretches(std::span<const TimedTest> tests, const TimedRun& run);
 
 /// The loop on stretches of these pairs, which must outlive it.

@@ -14,9 +14,14 @@ inline Json median_json(const Median& m) {
 }
 
 inline Json timing_json(const Timing& t) {
-  Json object = {
-      {"batch", t.batch},   {"repetitions", t.repetitions},       {"min", t.min}, {"lower_quartile", t.lower_quartile},
-      {"median", t.median}, {"upper_quartile", t.upper_quartile}, {"max", t.max}};
+  Json object = {{"batch", t.batch},
+                 {"stretches", t.stretches},
+                 {"repetitions", t.repetitions},
+                 {"min", t.min},
+                 {"lower_quartile", t.lower_quartile},
+                 {"median", t.median},
+                 {"upper_quartile", t.upper_quartile},
+                 {"max", t.max}};
   if (t.ratio) object["ratio"] = median_json(*t.ratio);
   return object;
 }

@@ -221,15 +221,6 @@ Json faults_json(const FuzzPlan& plan, const FuzzReport& report) {
   return rows;
 }
 
-/// The families asked, each once, in the order of their streams.
-Json families_json(const FuzzPlan& plan) {
-  Json names = Json::array();
-  for (const Stream& s : plan.streams) {
-    if (std::ranges::find(names, Json(s.family->name)) == names.end()) names.push_back(s.family->name);
-  }
-  return names;
-}
-
 /// Per method × family × format × class, or construction or outcome; nothing that varies from run to run.
 Json summary(const FuzzPlan& plan, const FuzzReport& report) {
   const bool triangles = plan.operands() == Operands::triangles;
@@ -250,7 +241,7 @@ Json summary(const FuzzPlan& plan, const FuzzReport& report) {
   Json object = {{"seed", plan.seed},
                  {"cases", report.cases},
                  {"methods", methods_json(plan.methods)},
-                 {"families", families_json(plan)}};
+                 {"families", family_names_of(plan)}};
   if (const Json data = data_of(plan); !data.empty()) object["data"] = data;
   if (plan.until_first) object["until_first"] = true;
   object.update({{triangles ? "classes_judged" : "polygons_judged", coverage_json(plan, report)},

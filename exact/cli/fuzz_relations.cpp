@@ -7,6 +7,7 @@
 #include "exact/base/interrupt.h"
 #include "exact/cases/case_io.h"
 #include "exact/cli/command.h"
+#include "exact/record/data_record.h"
 #include "exact/relations/relation.h"
 
 namespace tribunal {
@@ -51,7 +52,9 @@ Json to_json(const FuzzPlan& plan, const std::vector<RelationCount>& counts) {
                     {"asked", c.asked},
                     {"broken", c.broken}});
   }
-  return {{"seed", plan.seed}, {"cases", plan.cases}, {"relations", rows}};
+  Json object = {{"seed", plan.seed}, {"cases", plan.cases}, {"families", family_names_of(plan)}, {"relations", rows}};
+  if (const Json data = data_of(plan); !data.empty()) object["data"] = data;
+  return object;
 }
 
 /// All queries of every first witness; replay shows which answer is wrong.

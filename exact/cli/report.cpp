@@ -32,25 +32,28 @@ std::string printable(std::string text) {
 std::string in_words(const Json& report, const std::string& out) {
   std::string text;
   for (const Json& line : report["verdicts"]) {
-    text +=
-        line["text"].get<std::string>() + (line["detail"] == "" ? "" : "; " + line["detail"].get<std::string>()) + "\n";
+    const std::string detail = line["detail"];
+    text += printable(line["text"].get<std::string>() + (detail.empty() ? "" : "; " + detail)) + "\n";
   }
   for (const Json& what : report["left_out"]) text += "left out: " + printable(what.get<std::string>()) + "\n";
   return text + "\n" + std::to_string(report["runs"].size()) + " results, " + std::to_string(report["cases"].size()) +
-         " cases; open " + out + "\n";
+         " cases; open " + printable(out) + "\n";
 }
 
 int run(const Options& o) {
+  std::vector<Output> outputs{{"--classes", o.classes}, {"--json", o.json}};
+  if (!o.plan.directories.empty()) outputs.push_back({"--out", o.out});
+  std::erase_if(outputs, [](const Output& output) { return output.file.empty(); });
+  require_distinct(outputs);
   if (!o.classes.empty()) {
     write_file(o.classes, classes_json().dump(1) + "\n");
     if (o.plan.directories.empty()) return code(Exit::ok);
   }
   if (o.plan.directories.empty()) throw Failure(Exit::usage, "report: no directory given, expected one with results");
-  require_distinct({{"--out", o.out}, {"--json", o.json}});
   const Json report = gather_report(o.plan);
   if (!o.json.empty()) write_file(o.json, report.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
   write_file(o.out, report_page(report));
-  if (o.out != "-" && o.json != "-") print(in_words(report, o.out));
+  if (o.out != "-" && o.json != "-" && o.classes != "-") print(in_words(report, o.out));
   return code(Exit::ok);
 }
 

@@ -1,5 +1,7 @@
 #include "exact/record/data_record.h"
 
+#include <algorithm>
+
 #include "exact/base/json.h"
 
 namespace tribunal {
@@ -20,6 +22,14 @@ Json data_of(const FuzzPlan& plan) {
     files.push_back(std::move(file));
   }
   return files;
+}
+
+Json family_names_of(const FuzzPlan& plan) {
+  Json names = Json::array();
+  for (const Stream& s : plan.streams) {
+    if (std::ranges::find(names, Json(s.family->name)) == names.end()) names.push_back(s.family->name);
+  }
+  return names;
 }
 
 }  // namespace tribunal

@@ -10,4 +10,7 @@ namespace tribunal {
 /// `left_out`. Empty if the plan has none.
 Json data_of(const FuzzPlan& plan);
 
+/// Names of the families asked, each once, in the order of their streams.
+Json family_names_of(const FuzzPlan& plan);
+
 }  // namespace tribunal

@@ -8,8 +8,8 @@
 
 namespace tribunal {
 
-/// How the probe meets the triangle, in one sentence: "A segment and a triangle, not in one plane, meet in one point: a
-/// point inside the segment lies on an edge of the triangle."
+/// How the probe meets the triangle, in one sentence, of C012: "A segment and a triangle, not in one plane, meet in one
+/// point: an end of the segment lies on an edge."
 std::string in_words(const ClassRow& row);
 
 /// All 328, segments first: docs/report.md has the keys.

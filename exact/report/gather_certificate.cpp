@@ -31,7 +31,8 @@ Json grouped(const Json& gaps) {
   return groups;
 }
 
-/// Of the sampled rows, or of the user's own cases: what was judged and wrong in each format.
+/// Of the sampled rows, or of the user's own cases: what was judged and wrong in each format. The two are never added
+/// up: nothing can be estimated from cases that somebody chose.
 Json sums_of(const Json& rows) {
   std::map<std::string, std::map<std::string, std::uint64_t>> sums;
   for (const Json& row : rows) {
@@ -58,9 +59,15 @@ Json sums_of(const Json& rows) {
   return all;
 }
 
+/// Cases or a mesh of the user's own, whose files the record does not name.
+bool has_own_files(const Json& r) {
+  const auto is_own = [](const Json& stream) { return stream.value("family", "").starts_with("own-"); };
+  return r.contains("own_cases") || std::ranges::any_of(r.value("streams", Json::array()), is_own);
+}
+
 /// The worst that the certificate says: of samples, own cases and whole sets. Wrong on a whole set of small integers,
 /// and nothing said of how bad, is a boundary at worst: the sets are degenerate in every way.
-Level level_of(const Json& r, const Json& sums) {
+Level level_of(const Json& r, const std::vector<Json>& sums) {
   if (r.value("verdict", "") == "incomplete") return Level::incomplete;
   if (r.value("verdict", "") != "refuted") return Level::nothing;
   Json counts = {{"plain", 0}, {"boundary", 0}, {"extreme", 0}};
@@ -78,6 +85,27 @@ Level level_of(const Json& r, const Json& sums) {
   return level == Level::nothing ? Level::relations : level;
 }
 
+/// The verdict, with the figures of the format that did worst, in the sample or on the user's own cases.
+Line line_of(std::size_t run, const std::string& method, const Json& r, const Json& of_sample, const Json& of_own) {
+  std::vector<Json> sums(of_sample.begin(), of_sample.end());
+  sums.insert(sums.end(), of_own.begin(), of_own.end());
+  Line line{.run = run, .method = method, .level = level_of(r, sums)};
+  line.text = method + ": " + r.value("verdict", "");
+  line.detail = r.value("worst", "");
+  if (sums.empty()) return line;
+  const auto worst = std::ranges::max_element(sums, {}, [](const Json& s) { return s["share"].get<double>(); });
+  line.fmt = (*worst)["fmt"].get<std::string>();
+  line.wrong = (*worst)["wrong"].get<std::uint64_t>();
+  line.judged = (*worst)["judged"].get<std::uint64_t>();
+  for (const Json& sum : of_own) {
+    const auto wrong = sum["wrong"].get<std::uint64_t>();
+    if (of_sample.empty() || wrong == 0 || r.contains("worst")) continue;  // that says it of all
+    line.detail += (line.detail.empty() ? "" : "; ") + std::string("on your own ") + sum["fmt"].get<std::string>() +
+                   " cases wrong in " + share_in_words(wrong, sum["judged"].get<std::uint64_t>());
+  }
+  return line;
+}
+
 }  // namespace
 
 void gather_certificate(Run& run, Gathering& g) {
@@ -90,27 +118,17 @@ void gather_certificate(Run& run, Gathering& g) {
   run.page["title"] = method;
   const bool judged = r.value("budget", "") == "the cases of a file";
   run.page["judged"] = judged;
-  if (judged) {
-    run.page["seed"] = Json();
-  } else {
+  if (judged) run.page["seed"] = Json();
+  if (!judged && !has_own_files(r)) {
     std::vector<std::string> words{"certify", "--method", method, "--budget", r.value("budget", "")};
     if (r.contains("polygons_judged")) words.push_back("--polygons");
     words.insert(words.end(), {"--seed", std::to_string(r.value("seed", std::uint64_t{0})), "--out", run.directory});
     run.page["command"] = command_of(words);
   }
   const Json own = r.value("own_cases", Json::array()), sampled = r.value("sampled", Json::array());
-  const Json sums = sums_of(sampled.empty() ? own : sampled);
-  run.page["sums"] = sums;
-  Line line{.run = run.number, .method = method, .level = level_of(r, sums)};
-  line.text = method + ": " + r.value("verdict", "");
-  line.detail = r.value("worst", "");
-  if (!sums.empty()) {
-    const Json& worst = *std::ranges::max_element(sums, {}, [](const Json& s) { return s["share"].get<double>(); });
-    line.fmt = worst["fmt"].get<std::string>();
-    line.wrong = worst["wrong"].get<std::uint64_t>();
-    line.judged = worst["judged"].get<std::uint64_t>();
-  }
-  g.add(std::move(line));
+  const Json of_sample = sums_of(sampled), of_own = sums_of(own);
+  run.page["sums"] = sampled.empty() ? of_own : of_sample;
+  g.add(line_of(run.number, method, r, of_sample, of_own));
   for (const char* key : {"name", "fmt", "exact", "environment"}) r.erase(key);
   r["sampled"] = table_of(sampled).json();
   if (r.contains("own_cases")) r["own_cases"] = table_of(own).json();

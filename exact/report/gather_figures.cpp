@@ -9,9 +9,7 @@ void gather_chart(Run& run, Gathering& g) {
   Json r = run.record;
   run.page["methods"] = Json::array();
   for (const Json& m : r.at("methods")) run.page["methods"].push_back(g.add_method(m));
-  run.page["command"] = command_of({"chart", "--method", joined(run.page["methods"]), "--seed",
-                                    std::to_string(r.value("seed", std::uint64_t{0})), "--count",
-                                    std::to_string(r.value("cases", std::uint64_t{0})), "--out", run.directory});
+  // No command: the record has neither the files of scenes and mesh nor the number of repetitions.
   r.erase("environment");
   run.page["record"] = std::move(r);
 }

@@ -123,25 +123,34 @@ Line relations_line(std::size_t run, const std::string& method, const std::strin
           .judged = asked};
 }
 
-/// Those that are asked when none is named, or those of files, which other options name.
-bool are_usual(const Json& names) {
-  const auto of_a_file = [](const Json& n) { return n.get<std::string>().starts_with("own-"); };
-  if (std::ranges::all_of(names, of_a_file)) return true;
-  return std::ranges::equal(names, families_of(Operands::triangles),
-                            [](const Json& n, const Family& f) { return n == f.name; });
+/// The families to name: none if they are those that are asked when none is named. Those of files have options of
+/// their own.
+Json families_to_name(const Json& families) {
+  Json names = Json::array();
+  for (const Json& n : families) {
+    if (!n.get<std::string>().starts_with("own-")) names.push_back(n);
+  }
+  const bool usual = std::ranges::equal(names, families_of(Operands::triangles),
+                                        [](const Json& n, const Family& f) { return n == f.name; });
+  return usual ? Json::array() : names;
 }
 
-/// The command that writes the same record, but for plugins and threads, which it does not hold.
-std::string command_for(const Run& run) {
+/// The command that writes the same record, but for plugins and threads, which it does not hold. Null if the record
+/// does not say which families were asked, or they are of what came through a pipe.
+Json command_for(const Run& run, bool relations) {
   const Json& r = run.record;
-  std::vector<std::string> words{"fuzz", "--method", joined(run.page["methods"])};
-  if (r.contains("families") && !are_usual(r["families"])) {
-    words.insert(words.end(), {"--family", joined(r["families"])});
+  if (!r.contains("families")) return Json();
+  std::vector<std::string> words{"fuzz"};
+  if (relations) words.push_back("--relations");
+  words.insert(words.end(), {"--method", joined(run.page["methods"])});
+  if (const Json names = families_to_name(r["families"]); !names.empty()) {
+    words.insert(words.end(), {"--family", joined(names)});
   }
   for (const Json& file : r.value("data", Json::array())) {
-    const std::string family = file.value("family", "");
+    const std::string family = file.value("family", ""), name = file.value("file", "");
+    if (name == "-") return Json();
     const char* option = family == "own-mesh" ? "--mesh" : family == "own-scene" ? "--scene" : "--cases";
-    words.insert(words.end(), {option, file.value("file", "")});
+    words.insert(words.end(), {option, name});
   }
   words.insert(words.end(),
                {"--seed", std::to_string(number_in(r, "seed")), "--count", std::to_string(number_in(r, "cases"))});
@@ -157,7 +166,7 @@ void gather_fuzz(Run& run, Gathering& g) {
   for (const Json& m : r.value("methods", Json::array())) g.add_method(m);
   run.page["methods"] = method_names(r);
   for (const Json& name : run.page["methods"]) g.add_method({{"name", name}});
-  run.page["command"] = command_for(run);
+  run.page["command"] = command_for(run, false);
   const bool triangles = r.contains("classes_judged");
   Sums by_slot, by_family, by_format;
   for (const Json& row : r.at("counts")) {
@@ -201,9 +210,7 @@ void gather_relations(Run& run, Gathering& g) {
       if (asked > 0) g.add(relations_line(run.number, method, fmt, asked, broken));
     }
   }
-  run.page["command"] = command_of({"fuzz", "--relations", "--method", joined(run.page["methods"]), "--seed",
-                                    std::to_string(number_in(r, "seed")), "--count",
-                                    std::to_string(number_in(r, "cases")), "--out", run.directory});
+  run.page["command"] = command_for(run, true);
   run.page["relations"] = r;
 }
 

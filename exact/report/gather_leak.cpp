@@ -48,8 +48,7 @@ void gather_leak(Run& run, Gathering& g) {
   }
   run.page["title"] = mesh;
   run.page["methods"] = names;
-  run.page["command"] = command_of({"leak", mesh, "--method", joined(names), "--seed",
-                                    std::to_string(number_in(r, "seed")), "--out", run.directory});
+  // No command: the record has the mesh's name and not its file, and `judge --mesh` writes it too.
   r.erase("environment");
   run.page["record"] = std::move(r);
 }

@@ -9,7 +9,7 @@
 namespace tribunal {
 namespace {
 
-/// How many pixels differ for which reason, and whose answer is wrong on them.
+/// How many pixels differ for which reason, and who is wrong on them, by an answer or by the order of hits.
 struct Blame {
   std::uint64_t method = 0, against = 0, neither = 0, order = 0, start = 0, unexamined = 0;
 };
@@ -18,11 +18,11 @@ Blame blame_of(const Json& pixels, const std::string& method, const std::string&
   Blame b;
   for (const Json& p : pixels) {
     const std::string why = p.value("why", "");
-    if (why != "face") {
+    const Json wrong = p.value("wrong", Json::array());
+    if (why != "face" && wrong.empty()) {
       ++(why == "order" ? b.order : why == "start" ? b.start : b.unexamined);
       continue;
     }
-    const Json wrong = p.value("wrong", Json::array());
     const bool one = std::ranges::find(wrong, Json(method)) != wrong.end();
     const bool other = std::ranges::find(wrong, Json(against)) != wrong.end();
     b.method += one;
@@ -56,13 +56,14 @@ Level level_of(const CaseBook& book, std::size_t run, const std::string& method)
 Line line_for(const Run& run, const CaseBook& book, const std::string& method, std::uint64_t wrong, const Blame& b) {
   const Json& r = run.record;
   const std::uint64_t pixels = r.at("width").get<std::uint64_t>() * r.at("height").get<std::uint64_t>();
-  Line line{.run = run.number, .method = method, .fmt = r.value("fmt", ""), .wrong = wrong, .judged = pixels};
+  const std::uint64_t judged = pixels - std::min(pixels, b.unexamined);
+  Line line{.run = run.number, .method = method, .fmt = r.value("fmt", ""), .wrong = wrong, .judged = judged};
   if (wrong > 0) {
     line.level = level_of(book, run.number, method);
-    line.text = method + ": " + share_in_words(wrong, pixels) + " pixels show a wrong answer";
+    line.text = method + ": " + share_in_words(wrong, judged) + " pixels show a wrong answer";
   } else {
-    line.level = b.order + b.start > 0 ? Level::pictures : Level::nothing;
-    line.text = method + ": no pixel of " + std::to_string(pixels) + " shows a wrong answer";
+    line.level = b.unexamined > 0 ? Level::incomplete : b.order + b.start > 0 ? Level::pictures : Level::nothing;
+    line.text = method + ": no pixel of " + std::to_string(judged) + " shows a wrong answer";
   }
   if (b.start > 0) {
     line.detail =
@@ -73,17 +74,30 @@ Line line_for(const Run& run, const CaseBook& book, const std::string& method, s
         (line.detail.empty() ? "" : "; ") + std::to_string(b.order) + " only by which of two hits comes first";
   }
   if (b.unexamined > 0) {
-    line.detail += (line.detail.empty() ? "" : "; ") + std::to_string(b.unexamined) + " were not examined";
+    line.detail += (line.detail.empty() ? "" : "; ") + std::to_string(b.unexamined) + " that differ were not examined";
   }
   return line;
 }
 
-std::string command_for(const Run& run, const std::string& method, const std::string& against) {
+/// The command; null of a record that does not say with which options it was made.
+Json command_for(const Run& run, const std::string& method, const std::string& against) {
   const Json& r = run.record;
   const std::string size = std::to_string(r.value("width", 0)) + "x" + std::to_string(r.value("height", 0));
-  return command_of({"render", r.value("scene", ""), "--method", method, "--against", against, "--size", size,
-                     "--accel", r.value("accel", "bvh"), "--depth", std::to_string(r.value("depth", 1)), "--out",
-                     run.path(r.at("files").value("image", "image.png"))});
+  if (!r.contains("options")) return Json();
+  std::vector<std::string> words{"render",    r.value("scene", ""),
+                                 "--method",  method,
+                                 "--against", against,
+                                 "--size",    size,
+                                 "--accel",   r.value("accel", "bvh"),
+                                 "--depth",   std::to_string(r.value("depth", 1))};
+  for (const char* key : {"camera", "scale", "up", "max-cases", "triangulate", "heat"}) {
+    const Json value = r["options"].value(key, Json());
+    if (value.is_null() || value == false) continue;
+    words.push_back(std::string("--") + key);
+    if (value != true) words.push_back(value.is_string() ? value.get<std::string>() : value.dump());
+  }
+  words.insert(words.end(), {"--out", run.path(r.at("files").value("image", "image.png"))});
+  return command_of(words);
 }
 
 }  // namespace
@@ -106,7 +120,7 @@ void gather_render(Run& run, Gathering& g) {
                                 {"order", b.order},   {"start", b.start},     {"unexamined", b.unexamined}};
   Json record = r;
   record["pixels"] = pixels_table(run, g.book);
-  for (const char* key : {"files", "environment"}) record.erase(key);
+  for (const char* key : {"files", "environment", "options"}) record.erase(key);
   run.page["record"] = std::move(record);
   for (const auto& [key, name] : r.at("files").items()) {
     if (key != "cases") run.page["images"][key == "image" ? "method" : key] = g.add_image(run, name.get<std::string>());

@@ -68,7 +68,8 @@ void Gathering::leave_out(Run& run, const std::string& what) {
 
 Json Gathering::add_image(Run& run, const std::string& name) {
   const std::string file = run.path(std::filesystem::path(name).filename().string());
-  if (!std::filesystem::is_regular_file(file)) return leave_out(run, file + " is missing"), Json();
+  std::error_code unknown;
+  if (!std::filesystem::is_regular_file(file, unknown)) return leave_out(run, file + " is missing"), Json();
   const std::string bytes = read_file(file);
   if (!is_png(bytes)) throw bad_input(file, 0, "no PNG file, expected a picture that `render` wrote");
   if (bytes.size() > most_image_bytes || image_bytes_ + bytes.size() > most_bytes_of_images) {
@@ -145,7 +146,10 @@ Line line_of(std::size_t run, const std::string& method, const std::string& fmt,
 
 std::string command_of(const std::vector<std::string>& words) {
   std::string text = "tribunal";
-  for (const std::string& word : words) text += " " + (word.starts_with("--") ? word : shell_word(word));
+  const auto is_option = [](const std::string& word) {
+    return word.starts_with("--") && word.find_first_not_of("abcdefghijklmnopqrstuvwxyz-") == std::string::npos;
+  };
+  for (const std::string& word : words) text += " " + (is_option(word) ? word : shell_word(word));
   return text;
 }
 

@@ -109,8 +109,9 @@ std::string share_in_words(std::uint64_t part, std::uint64_t whole);
 /// The worst severity of which there is a case: of counts keyed "plain", "boundary", "extreme". `nothing` if all are 0.
 Level worst_level(const Json& counts);
 
-/// The level, and "wrong in 12 of 345 (3.48 %) binary64 cases", or "nothing wrong in 345 binary64 cases (at most 0.86
-/// %)". `counts` as above, and "wrong", "judged".
+/// The level, and as `text` "mine: wrong in 2 of 8 (25 %) binary64 cases", or "mine: nothing wrong in 8 binary64 cases"
+/// with the `detail` "so at most 31.2 % wrong of such cases, with 95 % confidence". `counts` as above, and "wrong",
+/// "judged".
 Line line_of(std::size_t run, const std::string& method, const std::string& fmt, const Json& counts);
 
 /// `tribunal WORDS…`, each word as a shell takes it.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <set>
 
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
@@ -67,29 +68,36 @@ std::vector<fs::path> files_in(const std::string& directory) {
   std::vector<fs::path> files;
   fs::recursive_directory_iterator at(directory, error), end;
   if (error) throw bad_input(directory, 0, "cannot be read as a directory (" + error.message() + ")");
+  std::string last = directory;
   for (; at != end; at.increment(error)) {
-    if (error) throw bad_input(directory, 0, "cannot be read (" + error.message() + ")");
-    if (at->is_regular_file() && may_be_result(at->path().filename().string())) files.push_back(at->path());
+    last = at->path().string();
+    std::error_code unknown;
+    if (may_be_result(at->path().filename().string()) && at->is_regular_file(unknown)) files.push_back(at->path());
   }
+  // A step that fails ends the walk: the iterator is then equal to `end`.
+  if (error) throw bad_input(last, 0, "cannot be read, or what follows it (" + error.message() + ")");
   std::ranges::sort(files);
   return files;
 }
 
-void add_results(const std::string& directory, std::vector<Result>& results) {
-  const std::size_t before = results.size();
+/// Adds the results in the directory whose files are not among those taken before, by their canonical paths:
+/// directories may lie in each other.
+void add_results(const std::string& directory, std::vector<Result>& results, std::set<std::string>& taken) {
+  bool any = false;
   for (const fs::path& path : files_in(directory)) {
     const std::string file = path.string(), name = path.filename().string();
     Json record = parse_json(read_file(file), {file});
     const Kind* kind = kind_of(name, record);
     if (kind == nullptr) continue;
+    any = true;
+    if (!taken.insert(fs::weakly_canonical(path).string()).second) continue;
     results.push_back({kind,
                        {.number = results.size(),
                         .directory = path.parent_path().string(),
                         .file = name,
                         .record = std::move(record)}});
   }
-  if (results.size() == before)
-    throw bad_input(directory, 0, std::string("holds no result, expected a file that ") + writers);
+  if (!any) throw bad_input(directory, 0, std::string("holds no result, expected a file that ") + writers);
 }
 
 /// Turns what the JSON library says of a record with another shape into a failure of input.
@@ -109,7 +117,8 @@ void read_cases(Result& result, CaseBook& book) {
   const std::string name = result.kind->cases(result.run);
   if (name.empty()) return;
   const std::string file = result.run.path(name);
-  if (fs::is_regular_file(file)) book.read(result.run.number, file);
+  std::error_code unknown;
+  if (fs::is_regular_file(file, unknown)) book.read(result.run.number, file);
 }
 
 Json start_of_page(const Result& result) {
@@ -161,7 +170,8 @@ Json families_json(const Json& runs) {
 
 Json gather_report(const ReportPlan& plan) {
   std::vector<Result> results;
-  for (const std::string& directory : plan.directories) add_results(directory, results);
+  std::set<std::string> taken;
+  for (const std::string& directory : plan.directories) add_results(directory, results, taken);
   Gathering g;
   for (Result& r : results) reading(r, [&] { read_cases(r, g.book); });
   g.book.choose(plan.most_cases);

@@ -15,7 +15,8 @@ import sys
 try:
     import matplotlib
 except ImportError:
-    sys.exit("plot.py: no module matplotlib (Debian: python3-matplotlib)")
+    print("plot.py: no module matplotlib (Debian: python3-matplotlib)", file=sys.stderr)
+    sys.exit(69)  # script_lacks_module
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt

@@ -92,14 +92,17 @@ std::string breakdown(const Count& count) {
 }
 
 std::string headline(const std::vector<Counted>& counts) {
-  constexpr const char* where[] = {
-      "wrong in plain general position:", "wrong on boundaries only:", "wrong at extreme scales only:"};
+  constexpr const char* where[] = {"wrong in plain general position", "wrong on boundaries", "wrong at extreme scales"};
   if (std::string text = listed(counts, &Count::unsaid); !text.empty()) {
     return "wrong:" + listed(counts, &Count::wrong) + "; in what position is not said";
   }
   for (const Severity s : all_severities) {
     const std::string text = listed(counts, [s](const Count& c) { return c.at(s); });
-    if (!text.empty()) return where[static_cast<std::size_t>(s)] + text;
+    if (text.empty()) continue;
+    const bool alone = std::ranges::all_of(counts, [s](const Counted& c) { return c.count.at(s) == c.count.wrong; });
+    const std::string begin = where[static_cast<std::size_t>(s)];
+    if (alone) return begin + (s == Severity::plain ? ":" : " only:") + text;
+    return begin + ":" + text + "; in all" + listed(counts, &Count::wrong);
   }
   return all_right(counts);
 }

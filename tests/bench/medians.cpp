@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <fstream>
 
 namespace tribunal::bench {
 void Medians::ReportRuns(const std::vector<Run>& runs) {
@@ -9,6 +10,18 @@ void Medians::ReportRuns(const std::vector<Run>& runs) {
     if (run.run_type != Run::RT_Iteration || run.error_occurred) continue;
     const double items = run.counters.at("items_per_second");
     add(run.run_name.function_name, 1e9 / items);
+  }
+}
+
+void Medians::pool(const char* file) {
+  if (file == nullptr) return;
+  std::string name;
+  double nanoseconds = 0;
+  for (std::ifstream in(file); in >> name >> nanoseconds;) add(name, nanoseconds);
+  std::ofstream out(file);
+  out.precision(17);
+  for (const auto& [benchmark, samples] : samples_) {
+    for (const double sample : samples) out << benchmark << ' ' << sample << '\n';
   }
 }
 

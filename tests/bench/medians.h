@@ -4,6 +4,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include <cstdlib>
 #include <map>
 #include <string>
 #include <vector>
@@ -21,6 +22,10 @@ class Medians : public benchmark::ConsoleReporter {
   /// Adds a repetition that was timed elsewhere.
   void add(const std::string& name, double nanoseconds) { samples_[name].push_back(nanoseconds); }
 
+  /// Adds the samples of the file, if it is there, and writes all to it; does nothing without a file. So several
+  /// processes make one result: where a process's memory lies moves its times by more than its repetitions show.
+  void pool(const char* file);
+
   bool has(const std::string& name) const { return samples_.count(name) > 0; }
   double median(const std::string& name) const { return quantile(name, 0.5); }
 
@@ -29,8 +34,7 @@ class Medians : public benchmark::ConsoleReporter {
   void print(const char* item) const;
 
   /// Prints `ratio NAME VALUE [LOW, HIGH]` if both were measured: the quotient of two medians, and those of opposite
-  /// percentiles, tenth over ninetieth and the other way. Runs of one program differ by more than a run's quartiles
-  /// show.
+  /// percentiles, tenth over ninetieth and the other way.
   void print_ratio(const std::string& name, const std::string& over, const std::string& under) const;
 
  private:
@@ -39,7 +43,10 @@ class Medians : public benchmark::ConsoleReporter {
   std::map<std::string, std::vector<double>> samples_;
 };
 
-/// How often each benchmark is run, and the least time of each run.
+/// `./run bench` names the file by which its processes pool their samples.
+inline const char* pooled_samples() { return std::getenv("TRIBUNAL_BENCH_SAMPLES"); }
+
+/// How often each benchmark is run by one process, and the least time of each run.
 struct Repetition {
   int repetitions;
   double seconds = 0.02;

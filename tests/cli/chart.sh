@@ -25,7 +25,22 @@ sed -i '0,/"title": "Random, 7 % hits"/s//"title": "Random, so many"/' again/cha
 expect 0 chart --redraw again
 ! cmp -s charts/speed-accuracy.svg again/speed-accuracy.svg || { echo "not drawn from the record" >&2; exit 1; }
 expect 3 chart --redraw nowhere
-expect 2 chart --redraw again --method sf-double
+for given in '--method sf-double' '--seed 2' '--count 5' '--repetitions 9' '--rays 5' '--threads 1'; do
+  expect 2 chart --redraw again $given
+done
+
+# What cannot be drawn: for want of a module, or because the record is of another version. The first error is kept.
+mkdir bare older
+echo 'raise ModuleNotFoundError("none", name="matplotlib")' >bare/matplotlib.py
+export PYTHONPATH=$PWD/bare
+expect 7 chart --redraw again
+says err 'python3 with matplotlib'
+unset PYTHONPATH
+sed 's/"yardstick": "mt-double"/"yard": "mt-double"/' charts/chart.json >older/chart.json
+expect 3 chart --redraw older
+says err 'chart.json: not as this version writes it'
+grep -q "KeyError: 'yardstick'" older/plot.log
+expect 0 chart --redraw again
 
 # Where marks stand and what they look like, by the script's own functions.
 /usr/bin/python3 - <<'PYTHON'
@@ -79,3 +94,16 @@ status=0
 wait $pid || status=$?
 [ "$status" -eq 143 ] || { echo "a signal while drawing: exit $status" >&2; exit 1; }
 says err interrupted
+
+# A signal while scenes are drawn loses nothing of what was measured before.
+"$TRIBUNAL" chart --method mt-double,mt-float --count 326 --repetitions 9 --scenes "$SOURCE_DIR/data/scenes" --mesh none --out cut >out 2>err & pid=$!
+for _ in $(seq 3000); do [ -e cut/chart.json ] && break; sleep 0.02; done
+kill -TERM $pid
+status=0
+wait $pid || status=$?
+[ "$status" -eq 143 ] || { echo "a signal while scenes are drawn: exit $status" >&2; exit 1; }
+says err 'chart.json holds the parts before'
+expect 0 chart --redraw cut
+lacks out pictures
+says out 'speed-accuracy-shares, speed, each'
+[ ! -e cut/speed-accuracy-polygons.svg ]

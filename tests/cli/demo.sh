@@ -4,7 +4,20 @@ set -euo pipefail
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$SOURCE_DIR"
+
+# What an earlier demo left is removed, and what it did not write stays. A demo that is interrupted leaves no old page to open.
+mkdir -p "$scratch/out/fuzz/old" "$scratch/out/mine" && echo old >"$scratch/out/index.html"
+echo '{"counts":[],"methods":[],"classes_judged":{}}' | tee "$scratch/out/fuzz/old/summary.json" >"$scratch/out/mine/summary.json"
+status=0
+timeout --foreground --preserve-status -s INT 1 "$TRIBUNAL" demo --out "$scratch/out" >"$scratch/log" 2>"$scratch/err" || status=$?
+[ "$status" -eq 130 ] || { echo "exit $status of an interrupted demo" >&2; cat "$scratch/log" "$scratch/err" >&2; exit 1; }
+[ ! -e "$scratch/out/index.html" ]
+[ ! -e "$scratch/out/fuzz/old" ]
+[ -e "$scratch/out/mine/summary.json" ]
+if grep '^Open ' "$scratch/log"; then exit 1; fi
+
 "$TRIBUNAL" demo --out "$scratch/out" >"$scratch/log"
+grep -qxF "Open $scratch/out/index.html" "$scratch/log"
 
 # Fuzz, certify, sweep, render, chart, then report over their directories, and nothing else.
 grep '^\$ tribunal' "$scratch/log" | cut -d' ' -f3 | uniq | paste -sd' ' >"$scratch/commands"

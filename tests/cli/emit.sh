@@ -8,7 +8,9 @@ for language in c gtest python; do
   expect 0 replay found/counterexamples.jsonl --emit "$language" --function right && mv out "emitted.$language"
 done
 cases=$(wc -l <found/counterexamples.jsonl)
-[ "$cases" -gt 3 ] && [ "$(grep -c 'assert(' emitted.c)" -eq "$cases" ] && [ "$(grep -c '^TEST(' emitted.gtest)" -eq "$cases" ]
+[ "$cases" -gt 3 ]
+[ "$(grep -c 'assert(' emitted.c)" -eq "$cases" ]
+[ "$(grep -c '^TEST(' emitted.gtest)" -eq "$cases" ]
 
 /usr/bin/python3 emitted.python
 sed 's/== \[\(-\?[01]\), /== [2, /' emitted.python >wrong.python

@@ -19,7 +19,8 @@ expect 2 render data/scenes/paper-2a.json --method sf-filtered -o "$scratch/a.pn
 
 # Heat maps lie beside the picture.
 expect 0 render data/scenes/paper-2a.json --method sf-filtered --depth 1 -o "$scratch/h.png" --heat
-[ -s "$scratch/h.tests.png" ] && [ -s "$scratch/h.stages.png" ]
+[ -s "$scratch/h.tests.png" ]
+[ -s "$scratch/h.stages.png" ]
 says out 'heat maps: white is'
 
 # compare_lacks TEXT ARG…: the comparison fails, and says in one line what it lacks.

@@ -40,7 +40,8 @@ ask() { "$TRIBUNAL" classify --method sf-filtered,sf-rational,sf-double --in "$c
 hunt() { "$TRIBUNAL" fuzz --method sf-filtered --count 4000 --threads 2 --family scale; }
 ask >"$scratch/expected"
 hunt 2>/dev/null | grep '^sf-filtered' >"$scratch/expected_hunt"
-[ -s "$scratch/expected" ] && [ -s "$scratch/expected_hunt" ]
+[ -s "$scratch/expected" ]
+[ -s "$scratch/expected_hunt" ]
 
 for bits in 2000 4000 6000 8000 0040 8040 e040; do
   for command in ask hunt; do

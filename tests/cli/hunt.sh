@@ -56,7 +56,8 @@ expect 1 fuzz --method mt-double --until-first && says out 'the first finding'
 # An interrupted run goes on with the same data only.
 status=0
 timeout --foreground --preserve-status -s INT 1 "$TRIBUNAL" fuzz --method sf-rational --cases mine.jsonl --count 900000000 --out part >out 2>err || status=$?
-[ "$status" -eq 130 ] && says part/checkpoint.jsonl '"numbers_sha256"'
+[ "$status" -eq 130 ]
+says part/checkpoint.jsonl '"numbers_sha256"'
 cp mine.jsonl kept.jsonl
 sed -i 's/4322,/4322.5,/' mine.jsonl
 expect 2 fuzz --method sf-rational --cases mine.jsonl --count 900000000 --out part --resume && says err 'other data of your own, or changed since'

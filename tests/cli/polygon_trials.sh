@@ -10,7 +10,8 @@ expect 1 "${plan[@]}" --threads 1 --out one
 says out 'constructions 774/774' && says one/summary.json 'comb / outer corner / through'
 expect 1 "${plan[@]}" --threads 2 --out two
 expect 1 "${plan[@]}" --threads 7 --out seven
-diff -r one two && diff -r one seven
+diff -r one two
+diff -r one seven
 interrupt_and_resume "${plan[@]}"
 diff -r one parts
 sha256sum one/summary.json two/summary.json seven/summary.json parts/summary.json
@@ -29,7 +30,9 @@ expect 0 shrink first.jsonl --out shrunk.jsonl && cmp first.jsonl shrunk.jsonl
 # Relations need no oracle; broken ones leave a query and its change.
 expect 1 fuzz --family polygon-affine,polygon-grid --method sf-epick,sf-float --relations --count 2000 --threads 1 --out rel1
 expect 1 fuzz --family polygon-affine,polygon-grid --method sf-epick,sf-float --relations --count 2000 --threads 3 --out rel3
-diff -r rel1 rel3 && says out 'start-vertex' && says rel1/witnesses.jsonl '"id":"sf-float-start-vertex-binary32-segment-2"'
+diff -r rel1 rel3
+says out 'start-vertex'
+says rel1/witnesses.jsonl '"id":"sf-float-start-vertex-binary32-segment-2"'
 ! grep -q sf-epick rel1/witnesses.jsonl || { echo "an exact method broke a relation" >&2; exit 1; }
 expect 0 classify --method sf-epick --in rel1/witnesses.jsonl
 expect 2 fuzz --family polygon-affine --method mt-double && says err 'mt-double takes no polygons'

@@ -39,7 +39,7 @@ EOF
 expect 1 replay wrong.jsonl && says out WRONG
 expect 0 shrink --method feito-double --out small.jsonl wrong.jsonl
 expect 1 replay small.jsonl && says out WRONG
-! grep -q hole "$scratch/out"
+lacks out hole
 expect 0 shrink --method feito-double --out smaller.jsonl small.jsonl
 cmp small.jsonl smaller.jsonl
 expect 3 shrink --method sf-epick wrong.jsonl && says err 'answers it rightly'

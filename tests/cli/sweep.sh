@@ -47,7 +47,8 @@ expect 2 sweep --axis scale,scale --out no
 # A failure map: pixels as text, a picture, and each pixel a case that replays as the map says.
 expect 0 sweep --map edge --map-size 64 --method sf-float,sf-double,mt-double,sf-filtered --out maps
 says out 'sf-filtered'
-[ -s maps/map-edge.svg ] && [ -s maps/map-edge.png ]
+[ -s maps/map-edge.svg ]
+[ -s maps/map-edge.png ]
 python3 - maps/map-edge.json >pixels <<'PYTHON'
 import json, sys
 m = json.load(open(sys.argv[1]))
@@ -61,7 +62,7 @@ for p in m["panels"]:
         print(p["method"], c, x, y)
 PYTHON
 grep -q '^sf-double [+-]' pixels
-! grep -q '^sf-filtered [+-]' pixels
+! grep -q '^sf-filtered [+-]' pixels || { echo "an exact method has wrong pixels" >&2; exit 1; }
 while read -r method c x y; do
   expect 0 sweep --map edge --map-size 64 --pixel "$method,$x,$y"
   mv out pixel.jsonl
@@ -80,7 +81,8 @@ expect 0 sweep --redraw maps
 
 # The same of rays: the record has a name of its own, and its pixels replay as they are drawn.
 expect 0 sweep --map vertex --probe ray --map-size 32 --method mt-double,sf-filtered --out maps
-[ -s maps/map-vertex-ray.svg ] && [ ! -e maps/map-vertex.json ]
+[ -s maps/map-vertex-ray.svg ]
+[ ! -e maps/map-vertex.json ]
 python3 - maps/map-vertex-ray.json >pixels <<'PYTHON'
 import json, sys
 m = json.load(open(sys.argv[1]))
@@ -104,7 +106,7 @@ says out 'sf-filtered: nothing wrong of'
 says out 'double hit'
 for file in sweep.json witnesses.jsonl afar.off axis-afar.svg axis-afar.png thresholds.svg; do [ -s "afar/$file" ]; done
 grep -q '^afar,binary64,0,mt-double,ray,parity,' afar/sweep.csv
-! grep -q '^afar,.*,segment,' afar/sweep.csv
+! grep -q '^afar,.*,segment,' afar/sweep.csv || { echo "segments on an axis of rays" >&2; exit 1; }
 grep -q '"operands":"mesh"' afar/sweep.json
 mkdir redrawn
 cp afar/sweep.json redrawn

@@ -170,9 +170,10 @@ TEST(Headline, SaysTheWorstAndKeepsPopulationsApart) {
   EXPECT_EQ(headline({{"a", right}, {"b", right}}), "nothing wrong of 1 (a), 1 (b)");
   EXPECT_EQ(headline({{"a", declined}}), "nothing was judged");
   EXPECT_EQ(headline({{"a", extreme}, {"b", right}}), "wrong at extreme scales only: 1 of 1 (a)");
-  EXPECT_EQ(headline({{"a", Count(extreme) += boundary}}), "wrong on boundaries only: 1 of 2 (a)");
+  EXPECT_EQ(headline({{"a", Count(extreme) += boundary}}), "wrong on boundaries: 1 of 2 (a); in all 2 of 2 (a)");
+  EXPECT_EQ(headline({{"a", boundary}, {"b", right}}), "wrong on boundaries only: 1 of 1 (a)");
   EXPECT_EQ(headline({{"a", Count(boundary) += plain}, {"b", plain}}),
-            "wrong in plain general position: 1 of 2 (a), 1 of 1 (b)");
+            "wrong in plain general position: 1 of 2 (a), 1 of 1 (b); in all 2 of 2 (a), 1 of 1 (b)");
   EXPECT_EQ(breakdown((Count(plain) += boundary) += declined),
             "1 false hit, 1 false miss; 1 plain, 1 boundary; 1 logic, 1 rounding; 1 refused");
 }
@@ -224,8 +225,8 @@ TEST_F(CertificateTest, AWrongContactIsConfirmedAsSuch) {
 
 TEST_F(CertificateTest, SaysTheWorstFirst) {
   const Certificate c = write({.method = method("sf-double"), .budget = tiny, .threads = 2});
-  EXPECT_TRUE(to_summary(c).starts_with("sf-double: refuted; wrong on boundaries only: ")) << to_summary(c);
-  EXPECT_TRUE(to_markdown(c).starts_with("# sf-double: refuted; wrong on boundaries only: "));
+  EXPECT_TRUE(to_summary(c).starts_with("sf-double: refuted; wrong on boundaries: ")) << to_summary(c);
+  EXPECT_TRUE(to_markdown(c).starts_with("# sf-double: refuted; wrong on boundaries: "));
   std::vector<Rank> ranks;
   for (const Json& line : c.counterexamples) ranks.push_back(rank_of(to_case(line, {"test"})));
   EXPECT_TRUE(std::ranges::is_sorted(ranks));

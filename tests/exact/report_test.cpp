@@ -210,6 +210,21 @@ TEST_F(ReportFiles, HostileNamesStayText) {
   EXPECT_EQ(report_page(r).find("<script>alert"), std::string::npos);
 }
 
+TEST_F(ReportFiles, NothingWrongIsSaidWithItsBound) {
+  Json record = fuzz_record("mine");
+  record["counts"][0]["wrong"] = 0;
+  for (const char* key : {"outcomes", "severity", "cause"}) record["counts"][0].erase(key);
+  write("a/summary.json", record.dump());
+  const Json line = report()["verdicts"][0];
+  EXPECT_EQ(line["text"], "mine: nothing wrong in 8 binary64 cases");
+  EXPECT_EQ(line["detail"], "so at most 31.2 % wrong of such cases, with 95 % confidence");
+}
+
+TEST_F(ReportFiles, ANameThatLooksLikeAnOptionIsQuotedInACommand) {
+  write("a/summary.json", fuzz_record("--a;b").dump());
+  EXPECT_TRUE(report()["runs"][0]["command"].get<std::string>().starts_with("tribunal fuzz --method '--a;b' --family"));
+}
+
 TEST_F(ReportFiles, WhatIsLeftOutIsCounted) {
   write("a/summary.json", fuzz_record("mine").dump());
   std::string lines;
@@ -240,6 +255,129 @@ TEST_F(ReportFiles, APictureComesFromTheResultsOwnDirectory) {
   ASSERT_TRUE(r["images"].empty());
   ASSERT_EQ(r["left_out"].size(), 1u);
   EXPECT_NE(r["left_out"][0].get<std::string>().find("secret.png is missing"), std::string::npos);
+}
+
+/// A comparison of two pictures of 10 × 10 pixels, with these pixels.
+Json pictures(const Json& pixels) {
+  return {{"scene", "s"},           {"width", 10},      {"height", 10},
+          {"fmt", "binary64"},      {"pixels", pixels}, {"difference", {{"method", "m"}, {"against", "n"}}},
+          {"files", Json::object()}};
+}
+
+/// The verdict on this method of the one run that is in the directory.
+Json verdict_on(const Json& report, const std::string& method) {
+  for (const Json& line : report["verdicts"]) {
+    if (line["method"] == method) return line;
+  }
+  return Json();
+}
+
+TEST_F(ReportFiles, UnexaminedPixelsAreNotRight) {
+  const Json unexamined = {{"x", 1}, {"y", 1}, {"why", "unexamined"}};
+  const Json face = {{"x", 2}, {"y", 1}, {"why", "face"}, {"case", "c"}, {"wrong", {"m"}}};
+  write("a/x.diff.json", pictures({face, unexamined, unexamined}).dump());
+  const Json r = report();
+  const Json m = verdict_on(r, "m"), n = verdict_on(r, "n");
+  EXPECT_EQ(m["text"], "m: 1 of 98 (1.02 %) pixels show a wrong answer");
+  EXPECT_EQ(m["level"], "boundary");
+  EXPECT_EQ(n["text"], "n: no pixel of 98 shows a wrong answer");
+  EXPECT_EQ(n["level"], "incomplete");
+  EXPECT_EQ(n["judged"], 98);
+  EXPECT_EQ(n["detail"], "2 that differ were not examined");
+}
+
+TEST_F(ReportFiles, AWrongOrderOfHitsIsWrong) {
+  const Json order = {{"x", 1}, {"y", 1}, {"why", "order"}};
+  Json wrong = order;
+  wrong["wrong"] = {"m"};
+  write("a/x.diff.json", pictures({order, wrong, wrong}).dump());
+  const Json r = report();
+  EXPECT_EQ(verdict_on(r, "m")["wrong"], 2);
+  EXPECT_EQ(verdict_on(r, "n")["level"], "pictures");
+  EXPECT_EQ(r["runs"][0]["verdict_pixels"]["order"], 1);
+}
+
+/// A row of a certificate: of 100 cases k are wrong, all of one severity.
+Json stratum(std::uint64_t k, const char* severity) {
+  return {{"family", "f"}, {"fmt", "binary64"}, {"n", 100}, {"k", k}, {"severity", {{severity, k}}}};
+}
+
+TEST_F(ReportFiles, OwnCasesCountBesideASampleAndAreNotAddedToIt) {
+  Json record = {{"method", "m"},
+                 {"verdict", "refuted"},
+                 {"budget", "quick"},
+                 {"sampled", {stratum(3, "extreme")}},
+                 {"own_cases", {stratum(50, "plain")}}};
+  write("a/certificate.json", record.dump());
+  Json r = report();
+  EXPECT_EQ(r["verdicts"][0]["level"], "plain");
+  EXPECT_EQ(r["verdicts"][0]["wrong"], 50);
+  EXPECT_EQ(r["verdicts"][0]["judged"], 100);
+  EXPECT_EQ(r["verdicts"][0]["detail"], "on your own binary64 cases wrong in 50 of 100 (50 %)");
+  ASSERT_EQ(r["runs"][0]["sums"].size(), 1u);
+  EXPECT_EQ(r["runs"][0]["sums"][0]["wrong"], 3) << "of the sample alone";
+  record["own_cases"] = {stratum(0, "plain")};
+  write("a/certificate.json", record.dump());
+  r = report();
+  EXPECT_EQ(r["verdicts"][0]["level"], "extreme");
+  EXPECT_EQ(r["verdicts"][0]["wrong"], 3);
+}
+
+/// Counts at one value of an axis.
+Json swept(const char* axis, int value, std::uint64_t judged, std::uint64_t wrong, const Json& outcomes) {
+  return {{"method", "m"},       {"axis", axis},      {"fmt", "binary64"},
+          {"value", value},      {"probe", "ray"},    {"asked", judged},
+          {"judged", judged},    {"refused", 3},      {"wrong", {{"k", wrong}, {"n", judged}}},
+          {"plain", 0},          {"boundary", wrong}, {"extreme", 0},
+          {"outcomes", outcomes}};
+}
+
+Json swept_axis(const char* name, const char* operands) {
+  return {{"name", name},
+          {"operands", operands},
+          {"easiest", {{"binary64", 0}}},
+          {"values", {{"binary64", {-10, 0, 10, 20, 30, 40}}}}};
+}
+
+Json threshold(const char* axis, const char* side, int value) {
+  return {{"method", "m"},
+          {"axis", axis},
+          {"fmt", "binary64"},
+          {"side", side},
+          {"probe", "ray"},
+          {"outcome", "false hit"},
+          {"first", {{"value", value}, {"n", 50}, {"k", 2}}},
+          {"witness", "w"}};
+}
+
+TEST_F(ReportFiles, ASweepSaysWhereItFailsFirstAndBoundsNothing) {
+  Json record = {
+      {"seed", 1},
+      {"cases", 50},
+      {"methods", {{{"name", "m"}}}},
+      {"axes", {swept_axis("sliver", "triangles"), swept_axis("fill", "polygons"), swept_axis("afar", "mesh")}},
+      {"rows",
+       {swept("sliver", 40, 100, 5, {{"refused", {{"k", 3}}}}), swept("fill", 20, 100, 2, Json::object()),
+        swept("afar", 0, 70, 9, {{"leak", {{"k", 4}}}})}},
+      {"thresholds",
+       {threshold("sliver", "up", 40), threshold("fill", "up", 20), threshold("sliver", "down", -10),
+        threshold("afar", "up", 0)}}};
+  write("a/sweep.json", record.dump());
+  Json r = report();
+  ASSERT_EQ(r["verdicts"].size(), 2u);
+  EXPECT_EQ(r["verdicts"][0]["text"], "m: 9 wrong of 70 binary64 rays at a mesh along the axis afar");
+  EXPECT_EQ(r["verdicts"][0]["level"], "leaks");
+  EXPECT_EQ(r["verdicts"][1]["text"], "m: 7 wrong of 200 binary64 cases along 2 axes");
+  EXPECT_EQ(r["verdicts"][1]["level"], "boundary");
+  EXPECT_EQ(r["verdicts"][1]["detail"], "fails first on the axis fill: at 20, 2 of 50 false hit");
+  const Json columns = r["runs"][0]["record"]["rows"]["columns"];
+  EXPECT_EQ(std::ranges::count(columns, Json("refused.k")), 1);
+  EXPECT_EQ(std::ranges::count(columns, Json("refused")), 0) << "it is the number of the outcome";
+  record["rows"] = {swept("sliver", 40, 100, 0, Json::object())};
+  write("a/sweep.json", record.dump());
+  r = report();
+  EXPECT_EQ(r["verdicts"][0]["text"], "m: nothing wrong of 100 binary64 cases along 2 axes");
+  EXPECT_EQ(r["verdicts"][0]["detail"], "") << "no bound";
 }
 
 // --- the atlas ---------------------------------------------------------------------------------------------------
@@ -281,6 +419,8 @@ TEST(Atlas, PointsCanBeToldApart) {
 
 TEST(Atlas, SaysInWordsWhereTheyMeet) {
   EXPECT_EQ(in_words(class_row(class_named("C001"))), "A segment and a triangle, not in one plane, do not meet.");
+  EXPECT_EQ(in_words(class_row(class_named("C012"))),
+            "A segment and a triangle, not in one plane, meet in one point: an end of the segment lies on an edge.");
   for (const auto& table : {class_table(), ray_class_table()}) {
     for (const ClassRow& row : table) {
       const std::string words = in_words(row);

@@ -13,7 +13,9 @@ any judge --cases cases.jsonl --answers answers.jsonl --out runs/certificate
 any sweep --method sf-double,mt-double,sf-filtered --axis scale,sliver --count 120 --out runs/sweep
 any sweep --map edge --map-size 48 --method sf-double,mt-double,sf-filtered,sf-float --out runs/map
 any chart --method sf-double,mt-double,sf-filtered --count 1000 --repetitions 9 --out runs/chart
-any leak "$SOURCE_DIR/data/meshes/pig.off" --method mt-float,sf-filtered --rays 3000 --out runs/leak
+any leak "$SOURCE_DIR/data/meshes/elephant.off" --method mt-float,sf-filtered,woop-double,feito-double --rays 3000 --out runs/leak
+plugin mine "$SOURCE_DIR/docs/examples/moeller_trumbore.c"
+any fuzz --plugin ./mine.so --method my-mt --count 3000 --out runs/mine
 any render "$SOURCE_DIR/data/scenes/elephant.json" --size 160x120 --method mt-float --against sf-filtered -o runs/render/elephant.png
 any report runs --out report.html
 

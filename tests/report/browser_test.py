@@ -47,11 +47,23 @@ def test_every_view_draws(page):
         check('undefined' not in page.text('main') and 'NaN' not in page.text('main'), f'{fragment}: undefined or NaN')
         for canvas in page.all('main canvas'):
             check(page.colours(canvas) > 1, f'{fragment}: a canvas is blank')
-    worst = page.data['verdicts'][0]['text']
-    page.go('#/')
-    check(page.text('h1') == worst, 'the first line is not the worst verdict')
+    test_the_worst_comes_first(page)
     headings = page.run("return [...document.querySelectorAll('h2')].map((x) => x.textContent)")
     check(headings[0] == 'What was not covered', f'not covered comes first, not {headings[0]}')
+
+
+SEVERITIES = {'plain': 'wrong in plain general position', 'boundary': 'wrong on boundaries', 'extreme': 'wrong at extreme scale'}
+
+
+def test_the_worst_comes_first(page):
+    """The first line says whom it is about and how bad it is; the figures of the verdict stand below it."""
+    page.go('#/')
+    worst = page.data['verdicts'][0]
+    text = worst['text'].replace(' %', '\u00a0%')
+    headline = f'{worst["method"]}: {SEVERITIES[worst["level"]]}' if worst['level'] in SEVERITIES else text
+    check(page.text('h1') == headline, f'the first line is not the worst verdict: {page.text("h1")}')
+    check(text.removeprefix(worst['method'] + ': ') in page.text('.worst'), 'the worst verdict has no figures')
+    check('✗' in page.text('.legend') or worst['level'] not in ('plain', 'fault'), 'the marks have no legend')
 
 
 def test_from_the_matrix_to_a_case(page):
@@ -75,6 +87,21 @@ def test_from_the_matrix_to_a_case(page):
     page.press(Keys.ENTER)
     check(page.fragment().startswith('#/case/'), 'a cell does not lead to a case')
     time.sleep(0.1)
+
+
+def test_the_first_3d_view(page):
+    """It fills its box, and no name lies on another."""
+    for number in range(0, len(page.data['cases']), max(1, len(page.data['cases']) // 24)):
+        page.go(f'#/case/{number}')
+        box, spots, names = page.run("""
+            const rect = (x) => { const {left, top, right, bottom} = x.getBoundingClientRect(); return [left, top, right, bottom]; };
+            const seen = [...document.querySelectorAll('.spot')].filter((x) => !x.hidden);
+            return [rect(document.querySelector('canvas.stage')), seen.map(rect), seen.map((x) => rect(x.firstChild))];""")
+        spans = [(max(s[i + 2] for s in spots) - min(s[i] for s in spots)) / (box[i + 2] - box[i]) for i in (0, 1)]
+        check(max(spans) > 0.6, f'case {number} fills {spans} of its box')
+        for i, a in enumerate(names):
+            for b in names[:i]:
+                check(a[0] >= b[2] or a[2] <= b[0] or a[1] >= b[3] or a[3] <= b[1], f'case {number}: a name lies on another')
 
 
 def test_the_case_in_3d(page):
@@ -177,6 +204,8 @@ def test_pictures(page):
     time.sleep(0.3)
     canvas = page.find('canvas.picture')
     before = page.run('return arguments[0].toDataURL()', canvas)
+    count = len(next(run for run in page.data['runs'] if run['kind'] == 'render')['record']['pixels']['rows'])
+    check(page.run("return document.querySelector('#frames').checked") == (count <= 200), 'frames hide the picture')
     page.focus('#split')
     page.press(*[Keys.ARROW_RIGHT] * 12)
     check(page.run('return arguments[0].toDataURL()', canvas) != before, 'the slider changes nothing')
@@ -196,6 +225,77 @@ def test_pictures(page):
     time.sleep(0.1)
     check(page.colours(page.find('canvas.stage')) > 2, 'its 3D view is blank')
     replay(page.copied('case (JSON line)') + '\n', 'exact answer')
+
+
+def per_million(k, n):
+    rate = 1e6 * k / n
+    return f'{round(rate):,}' if rate >= 99.95 else f'{rate:.3g}'
+
+
+def test_a_mesh_trial(page):
+    """A rate is of the rays judged, and a subject that is not judged has none; a mesh's case says what its error is."""
+    index, run = next((i, run) for i, run in enumerate(page.data['runs']) if run['kind'] == 'leak')
+    page.go(f'#/leak/{index}')
+    text = page.text('main')
+    check('at an edge' in text and 'at a edge' not in text, 'an aim is named wrongly')
+    parity = unjudged = 0
+    for t, trial in enumerate(run['record']['trials']):
+        head, rows = page.run("""
+            const table = [...document.querySelectorAll('main section table')][arguments[0]];
+            const texts = (row) => [...row.children].map((cell) => cell.textContent);
+            return [texts(table.tHead.rows[0]), [...table.tBodies[0].rows].map(texts)];""", t)
+        expected = [(subject, tally) for subject in trial['subjects'] for tally in [subject['all'], *(subject['by_aim'][aim] for aim in ('vertex', 'edge', 'face'))]]
+        check(len(rows) == len(expected), 'not a row for each subject and aim')
+        for row, (subject, tally) in zip(rows, expected):
+            shown = dict(zip(head, row))
+            check(shown['leak'] == per_million(tally['leak'], tally['rays']), f'another rate of leaks: {shown}')
+            if 'closest' in shown and subject['name'] == 'feito-double':
+                check(shown['closest'] == shown['order'] == '–', f'a method without an order is judged on it: {shown}')
+            if 'parity' not in shown:
+                continue
+            judged = 'parity' in subject['all'] and tally['parity_judged'] > 0
+            check(shown['parity'] == (per_million(tally['parity'], tally['parity_judged']) if judged else '–'), f'another rate of parity: {shown}')
+            parity, unjudged = parity + judged, unjudged + (not judged)
+    check(parity > 0 and unjudged > 0, 'no subject is judged for parity, or every one')
+    number = next(n for n in run['cases'] if page.data['cases'][n]['outcome'] == 'parity')
+    page.go(f'#/case/{number}')
+    check('on the wrong side' in page.text('main') and 'asks this one triangle only' in page.text('main'), 'a parity is not explained')
+
+
+def test_a_plugin_needs_its_library(page):
+    number = next(n for n, entry in enumerate(page.data['cases']) if entry.get('method') == 'my-mt')
+    page.go(f'#/case/{number}')
+    command = page.copied('command')
+    check(command.endswith(' --plugin ./LIB.so') and page.text('pre.command') == command, f'the command names no library: {command}')
+    check('./LIB.so' in page.text('.command + .note'), 'nothing says what the placeholder is')
+    done = subprocess.run(command.replace('./LIB.so', './mine.so'), shell=True, capture_output=True, text=True, check=False)
+    check(done.returncode == 1 and 'my-mt' in done.stdout and 'WRONG' in done.stdout, f'the command does not show it again: {command}\n{done.stderr}')
+
+
+def test_the_chart_opens_at_the_worst(page):
+    index, run = next((i, run) for i, run in enumerate(page.data['runs']) if run['kind'] == 'chart')
+    wrong = {}
+    for row in run['record']['rows']:
+        if row['answers']['judged'] and (row.get('nanoseconds') or {}).get('median', 0) > 0:
+            key = (row['population'], row['fmt'])
+            wrong[key] = wrong.get(key, 0) + row['answers']['wrong']
+    page.go(f'#/chart/{index}')
+    told = page.run("return [...document.querySelectorAll('[aria-label=\"speed and accuracy\"] tbody tr')].map((row) => Number(row.children[2].textContent.replaceAll(',', '')))")
+    check(sum(told) == max(wrong.values()) > 0, f'the chart opens with {sum(told)} wrong answers, another population has {max(wrong.values())}')
+    check(page.run("return [...document.querySelectorAll('.scatter .number')].map((x) => x.textContent).sort()") ==
+          page.run("return [...document.querySelectorAll('.who b')].map((x) => x.textContent).sort()"), 'marks and the list have other numbers')
+
+
+def test_thresholds_are_those_chosen(page):
+    index, run = next((i, run) for i, run in enumerate(page.data['runs']) if run['kind'] == 'sweep')
+    all_of = [row for row in run['record']['thresholds'] if row['axis'] == 'sliver']
+    for probe in ('segment', 'ray'):
+        for outcome in ('wrong', 'false hit', 'wrong contact'):
+            chosen = [row for row in all_of if row['fmt'] == 'binary64' and row['probe'] == probe and outcome in ('wrong', row['outcome'])]
+            page.go(f'#/sweep/{index}?axis=sliver&fmt=binary64&probe={probe}&outcome={outcome}')
+            shown = page.run("return [...document.querySelectorAll('[aria-label=\"thresholds\"] tbody tr')].map((row) => row.children[3].textContent)")
+            check(shown == [probe] * len(chosen) and 0 < len(chosen) < len(all_of),
+                  f'{probe}, {outcome}: {len(shown)} thresholds, {len(chosen)} of {len(all_of)} are chosen')
 
 
 def states(page):
@@ -254,7 +354,8 @@ def run(file, tests):
         page.close()
 
 
-run(sys.argv[1], [test_every_view_draws, test_from_the_matrix_to_a_case, test_the_case_in_3d, test_a_copied_case_replays,
+run(sys.argv[1], [test_every_view_draws, test_the_first_3d_view, test_from_the_matrix_to_a_case, test_the_case_in_3d, test_a_copied_case_replays,
                   test_signs_are_those_of_the_program, test_cases_of_every_kind_of_run, test_a_pixel_of_a_map_is_a_case, test_sweep_by_keys, test_pictures,
+                  test_a_mesh_trial, test_a_plugin_needs_its_library, test_the_chart_opens_at_the_worst, test_thresholds_are_those_chosen,
                   test_a_state_is_a_link, test_widths_and_accessibility])
 run(sys.argv[2], [test_hostile_names_stay_text])

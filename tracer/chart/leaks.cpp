@@ -17,8 +17,8 @@ bool takes_rays(const Method& m) { return m.ray && m.contract.probes.rays && m.c
 
 std::string mesh_name(const LeakChartPlan& plan) { return std::filesystem::path(plan.mesh).filename().string(); }
 
-void add_rows(std::vector<LeakRow>& rows, const LeakChartPlan& plan, const Mesh& mesh, Format format) {
-  const leak::Surface surface(mesh, format, plan.mesh);
+void add_rows(std::vector<LeakRow>& rows, const LeakChartPlan& plan, const leak::Surface& surface) {
+  const Format format = surface.format();
   std::vector<std::size_t> asked;
   std::vector<leak::Subject> subjects;
   for (std::size_t m = 0; m < plan.methods.size(); ++m) {
@@ -29,7 +29,7 @@ void add_rows(std::vector<LeakRow>& rows, const LeakChartPlan& plan, const Mesh&
   if (asked.empty()) return;
   const leak::LeakReport report = leak::run_leak_trial(
       surface, subjects, {.seed = plan.seed, .rays = plan.rays, .threads = plan.threads, .keep = 0});
-  fail_if_interrupted("no chart written");
+  fail_if_interrupted("leaks are not counted");
   if (report.rays == 0) throw Failure(Exit::resources, plan.mesh + ": no ray could be judged");
   for (std::size_t i = 0; i < asked.size(); ++i) {
     const leak::AimTally all = report.subjects[i].tally.all();
@@ -39,9 +39,15 @@ void add_rows(std::vector<LeakRow>& rows, const LeakChartPlan& plan, const Mesh&
 
 }  // namespace
 
-std::vector<LeakRow> measure_leaks(const LeakChartPlan& plan, const Mesh& mesh) {
+std::vector<leak::Surface> surfaces_of(const Mesh& triangles, const std::string& file) {
+  std::vector<leak::Surface> surfaces;
+  for (const Format format : {Format::binary32, Format::binary64}) surfaces.emplace_back(triangles, format, file);
+  return surfaces;
+}
+
+std::vector<LeakRow> measure_leaks(const LeakChartPlan& plan, std::span<const leak::Surface> surfaces) {
   std::vector<LeakRow> rows;
-  for (const Format format : {Format::binary32, Format::binary64}) add_rows(rows, plan, mesh, format);
+  for (const leak::Surface& surface : surfaces) add_rows(rows, plan, surface);
   return rows;
 }
 

@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "exact/base/json.h"
-#include "exact/certificate/rate.h"
 #include "exact/chart/timing_json.h"
 #include "exact/methods/methods.h"
 #include "exact/trial/judge.h"
@@ -35,8 +34,7 @@ PixelCause cause_at(const World& world, const Method& method, const DifferingPix
     return orders_hits(method) ? PixelCause::wrong : PixelCause::not_owed;
   }
   const Query query{parting->probe, world.triangles[*parting->face]};
-  const Outcome outcome = judge(method, exact_truth(query), method.ask(query));
-  return is_wrong(outcome) ? PixelCause::wrong : PixelCause::not_owed;
+  return shows_wrong_answer(method, query) ? PixelCause::wrong : PixelCause::not_owed;
 }
 
 /// All scenes in one format.
@@ -115,14 +113,11 @@ Json to_json(const PicturePlan& plan, const std::vector<PictureRow>& rows) {
   Json json = {{"scenes", Json::array()}, {"rows", Json::array()}};
   for (const Scene& s : plan.scenes) json["scenes"].push_back(std::filesystem::path(s.file).filename().string());
   for (const PictureRow& r : rows) {
-    const Rate rate = rate_of(r.wrong(), r.pixels);
     json["rows"].push_back({{"method", plan.methods[r.method].name},
                             {"fmt", name_of(r.format)},
                             {"pixels", r.pixels},
                             {"wrong", r.wrong()},
-                            {"share", rate.share},
-                            {"lower", rate.lower},
-                            {"upper", rate.upper},
+                            {"share", static_cast<double>(r.wrong()) / static_cast<double>(r.pixels)},
                             {"other_start", r.differing[static_cast<std::size_t>(PixelCause::start)]},
                             {"not_owed", r.differing[static_cast<std::size_t>(PixelCause::not_owed)]},
                             {"rays", r.rays},

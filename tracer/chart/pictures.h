@@ -45,7 +45,8 @@ struct PictureRow {
 /// world. Counts do not depend on the number of threads. Fails with 128 + signal if interrupted.
 std::vector<PictureRow> measure_pictures(const PicturePlan& plan);
 
-/// {"scenes", "rows"}.
+/// {"scenes", "rows"}. Shares have no interval: the pixels of given scenes are all looked at, so that nothing is drawn
+/// from a population, and neighbours are wrong together.
 Json to_json(const PicturePlan& plan, const std::vector<PictureRow>& rows);
 std::string to_table(const PicturePlan& plan, const std::vector<PictureRow>& rows);
 

@@ -110,6 +110,13 @@ std::vector<Scene> scenes_of(const Options& o) {
   return scenes;
 }
 
+/// So is the mesh, in either format; none if it is not wanted.
+std::vector<leak::Surface> mesh_of(const Options& o) {
+  const std::string file = source_of(o.mesh, shipped_mesh);
+  if (file.empty()) return {};
+  return surfaces_of(triangulated(read_mesh(file), file), file);
+}
+
 void add_pictures(const Options& o, const ChartPlan& plan, std::vector<Scene> scenes, Json& record) {
   if (scenes.empty()) return print("no scenes: rays a second against wrong pixels is not drawn\n");
   const PicturePlan pictures{
@@ -119,23 +126,37 @@ void add_pictures(const Options& o, const ChartPlan& plan, std::vector<Scene> sc
   print(to_table(pictures, rows));
 }
 
-void add_leaks(const Options& o, const ChartPlan& plan, const std::optional<Mesh>& mesh, Json& record) {
-  if (!mesh) return print("no mesh: leaks are not drawn\n");
+void add_leaks(const Options& o, const ChartPlan& plan, std::span<const leak::Surface> surfaces, Json& record) {
+  if (surfaces.empty()) return print("no mesh: leaks are not drawn\n");
   const LeakChartPlan leaks{.methods = plan.methods,
                             .mesh = source_of(o.mesh, shipped_mesh),
                             .seed = plan.seed,
                             .rays = o.quick ? std::min<std::uint64_t>(o.rays, 2'000) : o.rays,
                             .threads = plan.threads};
-  const std::vector<LeakRow> rows = measure_leaks(leaks, *mesh);
+  const std::vector<LeakRow> rows = measure_leaks(leaks, surfaces);
   record["leaks"] = to_json(leaks, rows);
   print(to_table(leaks, rows));
 }
 
+/// The record is written after each part: what was measured stays if a later part fails or is interrupted.
+void save(const Options& o, const Json& record) { write_file(o.out + "/chart.json", record.dump(1) + "\n"); }
+
+template <class Measure>
+void add_part(const Options& o, Json& record, const Measure& measure) {
+  try {
+    measure();
+  } catch (const Failure& failure) {
+    throw Failure(failure.exit(), std::string(failure.what()) + "; " + o.out +
+                                      "/chart.json holds the parts before, and --redraw draws them");
+  }
+  save(o, record);
+}
+
 // --- the command ----------------------------------------------------------------------------------------------------
 
-int draw(const std::string& directory, const Json& record, const std::string& also) {
+int draw(const std::string& directory, const std::string& also) {
   std::string names;
-  for (const std::string& figure : plot(directory, record)) names += (names.empty() ? "" : ", ") + figure;
+  for (const std::string& figure : plot(directory)) names += (names.empty() ? "" : ", ") + figure;
   print("written to " + directory + ": " + names + ", each as .svg, .pdf and .png; " + also + "plot.py\n");
   return 0;
 }
@@ -144,26 +165,25 @@ int draw(const std::string& directory, const Json& record, const std::string& al
 int redraw(const std::string& directory) {
   watch_interrupts();
   const std::string file = directory + "/chart.json";
-  return draw(directory, parse_json(read_file(file), {file}), "");
+  parse_json(read_file(file), {file});
+  return draw(directory, "");
 }
 
 int run(const Options& o) {
   if (!o.redraw.empty()) return redraw(o.redraw);
   const ChartPlan plan = plan_of(o);
   std::vector<Scene> scenes = scenes_of(o);
-  const std::string mesh_file = source_of(o.mesh, shipped_mesh);
-  std::optional<Mesh> mesh;
-  if (!mesh_file.empty()) mesh = triangulated(read_mesh(mesh_file), mesh_file);
+  const std::vector<leak::Surface> surfaces = mesh_of(o);
   make_directory(o.out);
   watch_interrupts();
   const Chart chart = measure(plan);
   require_judged(plan, chart);
   print(to_table(plan, chart));
   Json record = to_json(plan, chart);
-  add_pictures(o, plan, std::move(scenes), record);
-  add_leaks(o, plan, mesh, record);
-  write_file(o.out + "/chart.json", record.dump(1) + "\n");
-  return draw(o.out, record, "chart.json, ");
+  save(o, record);
+  add_part(o, record, [&] { add_pictures(o, plan, std::move(scenes), record); });
+  add_part(o, record, [&] { add_leaks(o, plan, surfaces, record); });
+  return draw(o.out, "chart.json, ");
 }
 
 }  // namespace
@@ -176,7 +196,10 @@ Action declare_chart(Arguments& arguments) {
   arguments.option("--count", o->plan.cases, "cases judged and timed, of each population and format")
       .above_zero()
       .shows_default();
-  arguments.option("--repetitions", o->plan.repetitions, "times that every method is timed")
+  arguments
+      .option("--repetitions", o->plan.repetitions,
+              "times that every method is timed on cases; scenes are drawn six times, slow methods once, with --quick "
+              "all once")
       .between(9, 10'000)
       .shows_default();
   arguments.option(
@@ -191,7 +214,8 @@ Action declare_chart(Arguments& arguments) {
   arguments.option("--out", o->out, "directory for the figures and chart.json").shows_default();
   arguments.option("--redraw", o->redraw,
                    "draw the figures of chart.json in this directory again; nothing is measured");
-  for (const char* other : {"--method", "--scenes", "--mesh", "--quick", "--out"})
+  for (const char* other : {"--method", "--seed", "--count", "--repetitions", "--scenes", "--mesh", "--rays", "--quick",
+                            "--threads", "--out"})
     arguments.excludes("--redraw", other);
   return with_plugins(
       arguments, [o] { return run(*o); }, MayIsolate::no);

@@ -1,4 +1,6 @@
 // tribunal demo: runs the other commands one after the other, the last of which makes a page of what they wrote.
+#include <algorithm>
+#include <filesystem>
 #include <memory>
 
 #include "exact/base/failure.h"
@@ -51,13 +53,16 @@ class Runner {
     print("\n" + std::to_string(stage) + "/" + std::to_string(stages) + " " + what + "\n");
   }
 
-  void run(Step step) {
+  /// Returns the step's exit code.
+  int run(Step step) {
     print("\n$ " + step.line() + "\n");
     const int exit = run_step(step);
     if (is_interruption(exit)) throw Failure(static_cast<Exit>(exit), "interrupted; no page written");
-    if (exit == code(step.expected)) return;
+    if (exit == code(step.expected)) return exit;
+    worst_ = std::max({worst_, exit, code(Exit::disagreement)});
     unexpected_.push_back(step.line() + " ended with exit code " + std::to_string(exit) + ", expected " +
                           std::to_string(code(step.expected)));
+    return exit;
   }
 
   /// The same with the demo's number of threads.
@@ -68,10 +73,30 @@ class Runner {
 
   const std::vector<std::string>& unexpected() const { return unexpected_; }
 
+  /// The largest exit code of a step that ended otherwise than expected, at least that of a disagreement; 0 if all
+  /// ended as expected.
+  int worst() const { return worst_; }
+
  private:
   std::string threads_;
   std::vector<std::string> unexpected_;
+  int worst_ = code(Exit::ok);
 };
+
+/// What the steps write, in the order of the report: a directory each.
+constexpr const char* results[] = {
+    "fuzz", "certificate-sf-double", "certificate-sf-filtered", "sweep", "map", "render", "charts"};
+
+/// Removes what an earlier demo left: the page must show this one, and must not stay if a step fails.
+void remove_earlier(const Options& o) {
+  const auto remove = [](const std::string& path) {
+    std::error_code error;
+    std::filesystem::remove_all(path, error);
+    if (error) throw Failure(Exit::output_failed, path + ": cannot be removed (" + error.message() + ")");
+  };
+  for (const char* name : results) remove(o.in(name));
+  remove(o.in("index.html"));
+}
 
 /// Refuses a scene that cannot be read, before anything is run or written.
 void require_scene(const std::string& file) {
@@ -132,34 +157,38 @@ void run_chart(Runner& runner, const Options& o) {
   runner.run_threaded({"chart", declare_chart, {"--quick", "--out", o.in("charts")}});
 }
 
-void run_report(Runner& runner, const Options& o) {
+/// Whether the page was written.
+bool run_report(Runner& runner, const Options& o) {
   runner.announce(6, "report: all of it as one page");
-  runner.run({"report",
-              declare_report,
-              {o.in("fuzz"), o.in("certificate-sf-double"), o.in("certificate-sf-filtered"), o.in("sweep"), o.in("map"),
-               o.in("render"), o.in("charts"), "--out", o.in("index.html")}});
+  std::vector<std::string> arguments;
+  for (const char* name : results) arguments.push_back(o.in(name));
+  arguments.insert(arguments.end(), {"--out", o.in("index.html")});
+  return runner.run({"report", declare_report, arguments}) == code(Exit::ok);
 }
 
 int run(const Options& o) {
   require_scene(o.scene);
   make_directory(o.out);
+  remove_earlier(o);
   Runner runner(o);
   run_fuzz(runner, o);
   run_certify(runner, o);
   run_sweep(runner, o);
   run_render(runner, o);
   run_chart(runner, o);
-  run_report(runner, o);
-  print("\nOpen " + o.in("index.html") + "\n");
+  if (run_report(runner, o)) print("\nOpen " + o.in("index.html") + "\n");
   for (const std::string& line : runner.unexpected()) print("UNEXPECTED: " + line + "\n");
-  return code(runner.unexpected().empty() ? Exit::ok : Exit::disagreement);
+  return runner.worst();
 }
 
 }  // namespace
 
 Action declare_demo(Arguments& arguments) {
   const auto o = std::make_shared<Options>();
-  arguments.option("--out", o->out, "directory for the page and all that it shows").shows_default();
+  arguments
+      .option("--out", o->out,
+              "directory for the page and all that it shows; what an earlier demo left there is removed")
+      .shows_default();
   arguments.option("--scene", o->scene, "the scene to render").shows_default();
   add_threads_option(arguments, o->threads);
   return [o] { return run(*o); };

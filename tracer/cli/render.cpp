@@ -148,6 +148,18 @@ Json to_json(const Method& method, const RayTally& t) {
         {"unproved", method.contract.exact ? Json(t.starts_unproved) : Json("all")}}}};
 }
 
+/// The options that change a picture or its cases and that no other key says, as they were given.
+Json options_json(const Options& o) {
+  Json given = Json::object();
+  if (!o.eye.empty()) given["camera"] = o.eye;
+  if (o.scale != 1) given["scale"] = o.scale;
+  if (o.up != "y") given["up"] = o.up;
+  if (o.triangulate) given["triangulate"] = true;
+  if (o.heat) given["heat"] = true;
+  given["max-cases"] = o.max_cases;
+  return given;
+}
+
 /// NAME.diff.json: all that a page about the two pictures needs.
 std::string to_text(const Options& o, Json stats, const Findings& f) {
   const auto name = [&](const char* suffix) {
@@ -157,6 +169,7 @@ std::string to_text(const Options& o, Json stats, const Findings& f) {
                     {"against", name(".against.png")},
                     {"difference", name(".diff.png")},
                     {"cases", name(".cases.jsonl")}};
+  stats["options"] = options_json(o);
   if (o.heat) stats["files"].update({{"tests", name(".tests.png")}, {"stages", name(".stages.png")}});
   stats["environment"] = environment();
   stats["pixels"] = pixels_json(f);

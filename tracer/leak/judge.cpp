@@ -147,9 +147,9 @@ class Trial {
   /// Whether a face is named twice; removes the repetitions.
   static bool names_a_face_twice(std::vector<std::uint32_t>& faces) {
     std::ranges::sort(faces);
-    const auto repeated = std::ranges::unique(faces);
-    const bool any = !repeated.empty();
-    faces.erase(repeated.begin(), repeated.end());
+    const auto repeated = std::unique(faces.begin(), faces.end());
+    const bool any = repeated != faces.end();
+    faces.erase(repeated, faces.end());
     return any;
   }
 

@@ -56,14 +56,15 @@ std::string source_of(const World& world, const Method& a, const Method& b, cons
          world.scene->solids[world.solid_of[*parting.face]].name + "\": " + a.name + " against " + b.name;
 }
 
-/// The case with the exact answer, and with a finding for each of the methods that is wrong.
+/// The case with the exact answer, and with a finding of a method whose wrong answer shows.
 Case judged(Case c, const Method& a, const Method& b) {
   const Truth truth = exact_truth(c.query);
   c.expect = truth.hit();
   for (const Method* m : {&a, &b}) {
     const Answer answer = m->ask(c.query);
-    const Outcome outcome = judge(*m, truth, answer);
-    if (is_wrong(outcome) && outcome != Outcome::wrong_contact) c = with_finding(std::move(c), *m, truth, answer);
+    if (is_wrong(judge(*m, truth, answer)) && shows_wrong_answer(*m, c.query)) {
+      c = with_finding(std::move(c), *m, truth, answer);
+    }
   }
   return c;
 }
@@ -107,6 +108,14 @@ std::optional<Parting> parting_at(const World& world, const Method& a, const Met
     return parting;
   }
   return std::nullopt;
+}
+
+bool shows_wrong_answer(const Method& method, const Query& query) {
+  const Answer answer = method.ask(query), exact = reference_method().ask(query);
+  if (is_hit_in_picture(query.probe, answer) == is_hit_in_picture(query.probe, exact)) return false;
+  const Outcome outcome = judge(method, exact_truth(query), answer);
+  const bool other_end = is_visible_hit(answer) && is_visible_hit(exact) && answer.at != At::unsaid;
+  return is_wrong(outcome) || (outcome == Outcome::right && other_end);
 }
 
 Case to_case(const World& world, const Method& a, const Method& b, const DifferingPixel& pixel,

@@ -35,8 +35,14 @@ struct Parting {
 std::optional<Parting> parting_at(const World& world, const Method& a, const Method& b, const DifferingPixel& pixel,
                                   int depth);
 
+/// Whether the method answers wrongly, and the tracer reads its answer otherwise than the exact one: a hit for a miss
+/// or a miss for a hit, a contact that makes a face visible or hides it, or an end of a shadow ray told wrongly, so
+/// that the face blocks the light or does not. A wrong answer that the tracer reads as it reads the exact one moves no
+/// pixel; one that differs by the method's convention, or where its contract owes nothing, is not wrong.
+bool shows_wrong_answer(const Method& method, const Query& query);
+
 /// A self-contained case, "px-COLUMN-ROW-KIND-triID" or "…-faceID", that `replay` explains; `expect` is the exact
-/// answer. The parting must have a face.
+/// answer, and the finding is of the last of the two that shows a wrong one. The parting must have a face.
 Case to_case(const World& world, const Method& a, const Method& b, const DifferingPixel& pixel, const Parting& parting);
 
 }  // namespace tribunal

@@ -3,20 +3,28 @@
 #include <algorithm>
 
 #include "exact/base/json.h"
-#include "exact/trial/judge.h"
 
 namespace tribunal {
 namespace {
 
 Why why_of(const Parting& parting) { return parting.face ? Why::face : parting.other_start ? Why::start : Why::order; }
 
-/// Those of the two that answer the case wrongly. A wrong contact moves no pixel.
+/// Those of the two whose wrong answer to the case shows.
 std::vector<std::string> wrong_on(const Case& c, const Method& a, const Method& b) {
-  const Truth truth = exact_truth(c.query);
   std::vector<std::string> names;
   for (const Method* m : {&a, &b}) {
-    const Outcome outcome = judge(*m, truth, m->ask(c.query));
-    if (is_wrong(outcome) && outcome != Outcome::wrong_contact) names.push_back(m->name);
+    if (shows_wrong_answer(*m, c.query)) names.push_back(m->name);
+  }
+  return names;
+}
+
+/// Those whose order of hits is wrong where they part by order alone: it differs from an exact method's, and is the
+/// method's own. The tracer orders the hits of methods that say nothing of where they are.
+std::vector<std::string> wrong_in_order(const Method& a, const Method& b) {
+  std::vector<std::string> names;
+  for (const auto& [m, other] : {std::pair(&a, &b), std::pair(&b, &a)}) {
+    const bool exact = other->contract.exact && other->compare_hits;
+    if (exact && !m->contract.exact && (m->compare_hits || m->parameter)) names.push_back(m->name);
   }
   return names;
 }
@@ -37,13 +45,14 @@ Findings examine(const World& world, const Method& a, const Method& b, const std
   Findings f;
   for (const DifferingPixel& pixel : pixels) {
     f.colours += pixel.colour_differs;
-    ExaminedPixel& examined = f.pixels.emplace_back(pixel);
+    ExaminedPixel& examined = f.pixels.emplace_back(ExaminedPixel{.pixel = pixel});
     if (f.cases.size() == max_cases) continue;
     const std::optional<Parting> parting = parting_at(world, a, b, pixel, depth);
     if (!parting) continue;
     ++f.by_kind[static_cast<std::size_t>(parting->kind)];
     examined.why = why_of(*parting);
     examined.kind = parting->kind;
+    if (examined.why == Why::order) examined.wrong = wrong_in_order(a, b);
     if (!parting->face) continue;
     const Case& c = f.cases.emplace_back(to_case(world, a, b, pixel, *parting));
     examined.id = c.id;
@@ -75,10 +84,8 @@ Json pixels_json(const Findings& f) {
     Json row = {{"x", p.pixel.column}, {"y", p.pixel.row}, {"colour", p.pixel.colour_differs}};
     if (p.why != Why::unexamined) row["parted_on"] = name_of(p.kind);
     row["why"] = name_of(p.why);
-    if (p.why == Why::face) {
-      row["case"] = p.id;
-      row["wrong"] = p.wrong;
-    }
+    if (p.why == Why::face) row["case"] = p.id;
+    if (p.why == Why::face || !p.wrong.empty()) row["wrong"] = p.wrong;
     all.push_back(std::move(row));
   }
   return all;

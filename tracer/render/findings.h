@@ -23,7 +23,7 @@ struct ExaminedPixel {
   Why why = Why::unexamined;
   RayKind kind = RayKind::primary;   ///< meaningless if unexamined
   std::string id{};                  ///< of the case
-  std::vector<std::string> wrong{};  ///< which of the methods answer the case wrongly
+  std::vector<std::string> wrong{};  ///< which of the methods are wrong there, by their answer or their order of hits
 };
 
 struct Findings {

@@ -74,7 +74,7 @@ Rendering render(const World& world, const Method& method, const RenderOptions& 
   const std::size_t done = run_blocks(tiles.count(), options.threads, work);
   if (done < tiles.count() || interrupted() != 0) {
     throw Failure(interrupted() == SIGTERM ? Exit::terminated : Exit::interrupted,
-                  "render: interrupted, nothing written");
+                  "render: interrupted, no picture written");
   }
   for (const RayTally& tally : tallies) out.tally += tally;
   out.seconds = progress.elapsed();

@@ -293,8 +293,7 @@ bool Visibility::passes_through(const Segment& way, std::uint32_t id) {
 }
 
 bool Visibility::sees(const Probe& probe, std::uint32_t id) const {
-  if (const Ray* ray = std::get_if<Ray>(&probe)) return is_visible_hit(ask(*ray, id));
-  return is_blocking_hit(ask(std::get<Segment>(probe), id));
+  return is_hit_in_picture(probe, std::visit([&](const auto& p) { return ask(p, id); }, probe));
 }
 
 std::vector<std::uint32_t> candidates(const World& world, const Probe& probe) {

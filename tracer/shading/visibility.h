@@ -29,6 +29,11 @@ inline bool is_visible_hit(const Answer& a) {
 /// through the start of the shadow ray does not block.
 inline bool is_blocking_hit(const Answer& a) { return is_visible_hit(a) && a.at != At::source && a.at != At::target; }
 
+/// Whether the tracer takes the answer for a hit: rays look for the closest face, segments for what blocks the light.
+inline bool is_hit_in_picture(const Probe& probe, const Answer& a) {
+  return std::holds_alternative<Ray>(probe) ? is_visible_hit(a) : is_blocking_hit(a);
+}
+
 /// The query for the closest face on a ray, its answer, and what the answer cost.
 struct RayQuestion {
   Ray ray;

@@ -108,7 +108,8 @@ int main(int argc, char** argv) {
   using namespace tribunal::bench;
   Medians medians;
   register_all();
-  if (const int failed = run_interleaved(argc, argv, {.repetitions = 21, .seconds = 0.01}, medians)) return failed;
+  if (const int failed = run_interleaved(argc, argv, {.repetitions = 7, .seconds = 0.01}, medians)) return failed;
+  medians.pool(pooled_samples());
   medians.print("ns a pair");
   print_ratios(medians);
 }

@@ -304,7 +304,8 @@ int main(int argc, char** argv) {
   using namespace tribunal::bench;
   Medians medians;
   register_all();
-  if (const int failed = run_interleaved(argc, argv, {.repetitions = 31, .seconds = 0.002}, medians)) return failed;
+  if (const int failed = run_interleaved(argc, argv, {.repetitions = 11, .seconds = 0.002}, medians)) return failed;
+  medians.pool(pooled_samples());
   medians.print("ns a query");
   print_growth(medians);
   print_boundary_ratios(medians);

@@ -1,6 +1,6 @@
 // Time per pair of sf-filtered, single and batched, and of its peers. `./run bench predicate` builds and runs it. All
-// benchmarks run in one process in random order, 25 times each, so that a change of the machine's speed meets all of
-// them. CPU time, since others may use the machine. The last lines are `ratio NAME VALUE`, of medians.
+// benchmarks run in random order, nine times each in each of three processes, so that a change of the machine's speed
+// meets all of them. CPU time, since others may use the machine. The last lines are `ratio NAME VALUE`, of medians.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -267,7 +267,8 @@ int main(int argc, char** argv) {
   using namespace tribunal::bench;
   Medians medians;
   register_all();
-  if (const int failed = run_interleaved(argc, argv, {.repetitions = 25}, medians)) return failed;
+  if (const int failed = run_interleaved(argc, argv, {.repetitions = 9}, medians)) return failed;
+  medians.pool(pooled_samples());
   medians.print("ns a pair");
   print_share_past_the_filter();
   print_ratios(medians);

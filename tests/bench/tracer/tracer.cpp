@@ -161,8 +161,9 @@ int main(int argc, char** argv) {
     }
   }
   Medians medians;
-  if (const int failed = run_interleaved(argc, argv, {.repetitions = 15}, medians)) return failed;
-  time_frames(scenes, 9, medians);
+  if (const int failed = run_interleaved(argc, argv, {.repetitions = 5}, medians)) return failed;
+  time_frames(scenes, 3, medians);
+  medians.pool(pooled_samples());
   medians.print("ns a ray, or a pixel");
   print_ratios(medians, scenes);
 }

@@ -87,6 +87,6 @@ function wrongHere(id) {
                     [link(to('cell', run.index, {method: sum.method, slot: id, fmt: sum.fmt}), sum.method), sum.fmt,
                      {cell: grouped(sum.k), class: 'n'}, {cell: grouped(sum.n), class: 'n'},
                      {cell: percent(sum.k / sum.n), class: 'n'}]),
-            {label: `wrong in class ${id}`}));
+            {label: `wrong in class ${id}, run ${run.index + 1}`}));
   });
 }

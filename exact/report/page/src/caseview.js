@@ -1,9 +1,10 @@
 // One case, whole: in 3D, its signs, its class in words and as a sketch, and as text to take away.
 import {code, h, link} from './dom.js';
-import {asC, asJson, asPython, canEmit, replayOfText} from './emit.js';
+import {asC, asJson, asPython, canEmit, libraryPlaceholder, replayOf} from './emit.js';
 import {ratio} from './exact.js';
+import {isOfMesh, meshError} from './mesh.js';
 import {crossingOf, questionOf} from './question.js';
-import {classRow, report, severityInWords} from './report.js';
+import {classRow, isPlugin, report, severityInWords} from './report.js';
 import {to} from './route.js';
 import {answersTable, coordinatesTable, signsTable} from './signs.js';
 import {sketchOf} from './sketch.js';
@@ -31,9 +32,11 @@ function copyButton(name, make) {
 
 function verdictLine(entry) {
   if (!entry.outcome) return null;
-  return h(
-      'p', {class: 'lead'}, h('b', {class: 'wrong'}, `${entry.method}: ${entry.outcome}`),
-      entry.in_words && ` – ${entry.in_words}`, '.');
+  return [
+    h('p', {class: 'lead'}, h('b', {class: 'wrong'}, `${entry.method}: ${entry.outcome}`),
+      entry.in_words && ` – ${entry.in_words}`, '.'),
+    isOfMesh(entry) && meshError(entry)
+  ];
 }
 
 /** Where a case was generated: in a family, along an axis, or on a mesh; of one's own data, from which file. */
@@ -44,7 +47,7 @@ function originInWords(origin) {
                             family;
   const parts = [
     place, fmt, seed !== undefined && `seed ${seed}`, number !== undefined && `case ${number}`,
-    stress !== undefined && axis && `${axis}: ${stress}`, file
+    stress !== undefined && axis && axis !== '(none)' && `${axis}: ${stress}`, file
   ];
   return parts.filter(Boolean).join(', ');
 }
@@ -96,6 +99,12 @@ function classPart(row) {
       h('div', {}, h('h2', {class: 'minor'}, 'Class ', link(to('class', row.id), row.id)), h('p', {}, row.words)));
 }
 
+/** A record holds the hash of a plugin's library and not its file, so whoever replays must name it. */
+const pluginNote = ({method}) =>
+    (isPlugin(method) ? h('p', {class: 'note'}, `${method} is not built in: put the file of its library in place of `,
+                          code(libraryPlaceholder), '.') :
+                        null);
+
 /** `entry` is a row of the schema's cases, or as much of one as is known. */
 export function casePage(entry, state, heading) {
   const data = entry.case;
@@ -106,14 +115,14 @@ export function casePage(entry, state, heading) {
   return h(
       'article', {class: 'case'}, heading,
       h('h1', {class: 'id'}, code(data.id), ' ', h('small', {}, data.fmt ?? 'binary64')), verdictLine(entry),
-      h('div', {class: 'pair'}, stage(question, state),
+      h('div', {class: 'pair'}, stage(question, state, entry.truth?.hit),
         h('div', {}, facts(entry, question), classPart(classRow(entry.class ?? data.class)),
           h('section', {}, h('h2', {class: 'minor'}, 'Take it away'),
             h('div', {class: 'copies'}, copyButton('case (JSON line)', () => asJson(data)),
               emittable && hit !== null && copyButton('C', () => asC(data, hit, words)),
               emittable && copyButton('Python', () => asPython(data, question, words)),
-              copyButton('command', () => entry.replay ?? replayOfText(data))),
-            h('pre', {class: 'command', tabindex: 0}, entry.replay ?? replayOfText(data))))),
+              copyButton('command', () => replayOf(entry))),
+            h('pre', {class: 'command', tabindex: 0}, replayOf(entry)), pluginNote(entry)))),
       emittable &&
           h('section', {}, h('h2', {}, 'Computed beside exact'),
             h('p', {},

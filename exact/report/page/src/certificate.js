@@ -45,16 +45,21 @@ export function certificatePage(path) {
   ];
 }
 
+/** A count of strata, in words for whoever has not read what a stratum is. */
+export const kindsOfCase = (n) => `${grouped(n)} ${n === 1 ? 'kind' : 'kinds'} of case`;
+export const whatIsAKind = 'A kind of case is one class of one family in one format; a relation counts as one too.';
+
 function notCovered(record) {
   const gaps = record.not_covered ?? [];
   return h(
       'section', {class: 'gap'}, h('h2', {}, 'What was not covered'),
+      gaps.length > 0 && h('p', {class: 'note'}, whatIsAKind),
       gaps.length === 0 ? h('p', {}, 'Nothing that the contract and the budget name was left out.') :
                           h('ul', {class: 'plain'},
                             gaps.map(
                                 (gap) =>
                                     h('li', {}, !gap.explained && h('b', {class: 'wrong'}, 'unexplained: '),
-                                      h('b', {}, `${grouped(gap.strata ?? gap.what.length)} strata`), `: ${gap.reason}`,
+                                      h('b', {}, kindsOfCase(gap.strata ?? gap.what.length)), `: ${gap.reason}`,
                                       gap.what?.length > 0 &&
                                           h('details', {}, h('summary', {}, 'which'),
                                             h('p', {class: 'small'}, gap.what.join(' · '),

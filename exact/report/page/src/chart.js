@@ -9,8 +9,8 @@ import {to} from './route.js';
 import {tabs} from './sweep.js';
 
 const sizeOf = () =>
-    (window.innerWidth < 760 ? {width: 380, height: 330, left: 58, right: 14, top: 22, bottom: 46} :
-                               {width: 900, height: 430, left: 66, right: 30, top: 22, bottom: 48});
+    (window.innerWidth < 760 ? {width: 380, height: 330, left: 58, right: 14, top: 22, bottom: 26} :
+                               {width: 820, height: 430, left: 66, right: 30, top: 22, bottom: 28});
 
 /** A logarithmic scale from values to pixels, with the powers in between. */
 function logScale(values, from, to_) {
@@ -22,28 +22,34 @@ function logScale(values, from, to_) {
     for (const s of steps)
       if (Math.log10(s) + e >= low && Math.log10(s) + e <= high) ticks.push(s * 10 ** e);
   }
-  return {place, ticks};
+  return {place, ticks: apart(ticks, place)};
 }
 
-/** Names beside their marks, where no other name or mark is. */
-function placedNames(spots, box) {
-  const taken = spots.map(({x, y}) => [x - 8, y - 8, x + 8, y + 8]);
-  const free = ([l, t, r, b]) =>
-      l > box.left && r < box.width && taken.every(([l2, t2, r2, b2]) => r < l2 || l > r2 || b < t2 || t > b2);
-  return spots.map(({x, y, name}) => {
-    const width = 7 * name.length;
-    const options = [
-      ['start', x + 11, y + 4], ['end', x - 11, y + 4], ['middle', x, y - 13], ['middle', x, y + 22],
-      ['start', x + 9, y - 12], ['start', x + 9, y + 21], ['end', x - 9, y - 12], ['end', x - 9, y + 21]
-    ];
-    const boxes = options.map(([anchor, px, py]) => {
-      const left = anchor === 'start' ? px : anchor === 'end' ? px - width : px - width / 2;
-      return [left, py - 11, left + width, py + 3];
-    });
-    const found = Math.max(0, boxes.findIndex(free));
-    taken.push(boxes[found]);
-    const [anchor, px, py] = options[found];
-    return {'text-anchor': anchor, x: px, y: py};
+/** Ticks whose labels have room: a power of ten before others. */
+function apart(ticks, place) {
+  const isPower = (v) => Math.abs(Math.log10(v) - Math.round(Math.log10(v))) < 1e-9;
+  const kept = [];
+  for (const v of [...ticks.filter(isPower), ...ticks.filter((t) => !isPower(t))])
+    if (kept.every((other) => Math.abs(place(v) - place(other)) >= 36)) kept.push(v);
+  return kept.sort((x, y) => x - y);
+}
+
+/** A number beside each mark, where no other number, mark or error bar is. */
+function placedNumbers(spots, box) {
+  const taken = spots.flatMap(({x, y, bars}) => [[x - 9, y - 9, x + 9, y + 9], ...bars]);
+  const meets = ([l, t, r, b], [l2, t2, r2, b2]) => r > l2 && l < r2 && b > t2 && t < b2;
+  const inside = ([l, t, r, b]) => l > box.left && r < box.width && t > 0 && b < box.height - box.bottom;
+  return spots.map(({x, y, number}) => {
+    const half = 4.2 * String(number).length;
+    const at = [
+      [0, -18], [0, 18], [16, 0], [-16, 0], [14, -15], [-14, -15], [14, 15], [-14, 15], [0, -33], [0, 33], [22, -27],
+      [-22, -27], [22, 27], [-22, 27]
+    ].map(([dx, dy]) => [x + dx, y + dy]);
+    const boxOf = ([cx, cy]) => [cx - half, cy - 7, cx + half, cy + 7];
+    const cost = (place) => taken.filter((one) => meets(boxOf(place), one)).length + (inside(boxOf(place)) ? 0 : 100);
+    const best = at.reduce((a, b) => (cost(b) < cost(a) ? b : a));
+    taken.push(boxOf(best));
+    return {'text-anchor': 'middle', x: best[0], y: best[1] + 4.5};
   });
 }
 
@@ -54,7 +60,7 @@ function frontierOf(points) {
   return sorted.filter((point) => point.y < best && ((best = point.y), true));
 }
 
-function axes(x, y, {width, height, left, right, top, bottom}, xTitle) {
+function axes(x, y, {width, height, left, right, top, bottom}) {
   return [
     x.ticks.map(
         (v) =>
@@ -64,41 +70,62 @@ function axes(x, y, {width, height, left, right, top, bottom}, xTitle) {
         (v) =>
             [svg('line', {class: 'rule', x1: left, x2: width - right, y1: y.place(v), y2: y.place(v)}),
              svg('text', {x: left - 8, y: y.place(v) + 4, 'text-anchor': 'end'}, percentTick(v))]),
-    svg('text', {x: (left + width - right) / 2, y: height - 8, 'text-anchor': 'middle'}, xTitle),
     svg('text', {x: 4, y: 12, 'text-anchor': 'start'}, 'wrong'),
   ];
 }
 
-function markOf(p, x, y, name, say) {
+/** The error bars of a mark, or the arrow of one that was never wrong: [x1, y1, x2, y2] each. */
+function barsOf(p, x, y) {
   const [cx, cy] = [x.place(p.time), y.place(p.y)];
-  const whisker = {stroke: p.look.colour, 'stroke-width': 1.6};
-  return svg(
-      'a', {href: p.href, 'aria-label': p.words, onfocus: () => say(p), onpointerenter: () => say(p)},
-      p.bound ?
-          svg('path', {d: `M${cx},${cy}v20m-4,-5l4,5l4,-5`, fill: 'none', ...whisker}) :
-          svg('line', {x1: cx, x2: cx, y1: y.place(p.upper), y2: y.place(Math.max(p.lower, p.y / 30)), ...whisker}),
-      p.from && svg('line', {x1: x.place(p.from), x2: x.place(p.to), y1: cy, y2: cy, ...whisker}),
-      markAt(
-          p.look.shape, cx, cy, 6,
-          {fill: p.bound ? 'var(--paper)' : p.look.colour, stroke: p.look.colour, 'stroke-width': 2}),
-      svg('text', {...name, class: 'name'}, p.method));
+  const upright = p.bound ? [cx, cy, cx, cy + 20] : [cx, y.place(p.upper), cx, y.place(Math.max(p.lower, p.y / 30))];
+  return [upright, ...(p.from ? [[x.place(p.from), cy, x.place(p.to), cy]] : [])];
 }
 
+function barsDrawn(p, x, y) {
+  const stroke = {stroke: p.look.colour, 'stroke-width': 1.6};
+  return [
+    barsOf(p, x, y).map(([x1, y1, x2, y2]) => svg('line', {x1, y1, x2, y2, ...stroke})),
+    p.bound && svg('path', {d: `M${x.place(p.time) - 4},${y.place(p.y) + 15}l4,5l4,-5`, fill: 'none', ...stroke})
+  ];
+}
+
+function markOf(p, x, y, number, say) {
+  return svg(
+      'a', {href: p.href, 'aria-label': `${p.number} ${p.words}`, onfocus: () => say(p), onpointerenter: () => say(p)},
+      markAt(
+          p.look.shape, x.place(p.time), y.place(p.y), 6,
+          {fill: p.bound ? 'var(--paper)' : p.look.colour, stroke: p.look.colour, 'stroke-width': 2}),
+      svg('text', {...number, class: 'number'}, String(p.number)));
+}
+
+/** Marks with numbers, and beside them whose they are. */
 function scatter(points, label, xTitle, say) {
   const box = sizeOf();
   const x =
       logScale(points.flatMap((p) => [p.time, p.from ?? p.time, p.to ?? p.time]), box.left + 10, box.width - box.right);
   const lowest = points.map((p) => (p.bound ? p.y / 2 : Math.max(p.lower, p.y / 30)));
   const y = logScale([...points.map((p) => (p.bound ? p.y : p.upper)), ...lowest], box.height - box.bottom, box.top);
-  const front = frontierOf(points);
   const path =
-      front.map((p, i) => (i === 0 ? `M${x.place(p.time)},${y.place(p.y)}` : `H${x.place(p.time)}V${y.place(p.y)}`))
+      frontierOf(points)
+          .map((p, i) => (i === 0 ? `M${x.place(p.time)},${y.place(p.y)}` : `H${x.place(p.time)}V${y.place(p.y)}`))
           .join('');
-  const names = placedNames(points.map((p) => ({x: x.place(p.time), y: y.place(p.y), name: p.method})), box);
-  return svg(
-      'svg', {class: 'scatter', viewBox: `0 0 ${box.width} ${box.height}`, role: 'group', 'aria-label': label},
-      axes(x, y, box, xTitle), svg('path', {class: 'frontier', d: path}),
-      points.map((p, i) => markOf(p, x, y, names[i], say)));
+  const numbers = placedNumbers(
+      points.map((p) => ({
+                   x: x.place(p.time),
+                   y: y.place(p.y),
+                   number: p.number,
+                   bars: barsOf(p, x, y).map(([l, t, r, b]) => [l - 2, Math.min(t, b) - 2, r + 2, Math.max(t, b) + 2])
+                 })),
+      box);
+  const drawing =
+      svg('svg', {class: 'scatter', viewBox: `0 0 ${box.width} ${box.height}`, role: 'group', 'aria-label': label},
+          axes(x, y, box), svg('path', {class: 'frontier', d: path}), points.map((p) => barsDrawn(p, x, y)),
+          points.map((p, i) => markOf(p, x, y, numbers[i], say)));
+  const whose =
+      h('ol', {class: 'who'},
+        points.map(
+            (p) => h('li', {onpointerenter: () => say(p)}, h('b', {}, p.number), markIcon(p.look), code(p.method))));
+  return h('div', {class: 'chart-box'}, h('div', {}, drawing, h('p', {class: 'axis-title'}, xTitle)), whose);
 }
 
 /** The matrix of a method, if some hunt has it; else its cases. */
@@ -110,6 +137,12 @@ function casesOf(method, fmt) {
 /** What a mark needs of its share of wrong answers. */
 function shareOf({wrong, judged, share, lower, upper}) {
   return {y: wrong === 0 ? upper : share, k: wrong, n: judged, share, lower, upper, bound: wrong === 0};
+}
+
+/** All pixels of some scenes are no sample, so there is no interval; none wrong is drawn at half a pixel. */
+function shareOfPixels({wrong, pixels}) {
+  const y = (wrong || 0.5) / pixels;
+  return {y, k: wrong, n: pixels, share: wrong / pixels, lower: y, upper: y, bound: wrong === 0, counted: true};
 }
 
 /** Times of tests, as multiples of the yardstick's where the record has them: these hold on other machines too. */
@@ -151,7 +184,7 @@ function panelOfPictures({pictures}) {
         name: `Pictures, ${fmt}`,
         about: `Pixels that show a wrong answer, of ${
             pictures.scenes?.length ??
-            'some'} scenes; what differs only because a secondary ray starts elsewhere is not wrong`,
+            'some'} scenes; what differs only because a secondary ray starts elsewhere is not wrong. Shares have no interval, since all pixels are counted; a hollow mark stands at half a pixel`,
         unit: 'ns a ray',
         xTitle: 'nanoseconds a ray, one thread',
         points: drawn.filter((row) => row.fmt === fmt)
@@ -159,7 +192,7 @@ function panelOfPictures({pictures}) {
                            method: row.method,
                            fmt,
                            time: 1e9 / row.rays_per_second.median,
-                           ...shareOf({...row, judged: row.pixels}),
+                           ...shareOfPixels(row),
                            timeInWords: `${significant(row.rays_per_second.median / 1e6)} million rays a second`,
                          })),
       }));
@@ -179,13 +212,19 @@ function leaksOf({leaks}) {
           {label: 'leaks'}));
 }
 
+/** The population with the most wrong answers; the first of those that have as many. */
+function mostWrong(panels) {
+  const wrong = ({points}) => points.reduce((sum, {k}) => sum + k, 0);
+  return panels.reduce((worst, panel) => (worst && wrong(worst) >= wrong(panel) ? worst : panel), null);
+}
+
 export function chartPage(path, query) {
   const runs = runsOf('chart');
   const run = runs.find(({index}) => index === Number(path[1])) ?? runs[0];
   if (!run) return h('p', {}, 'No chart is in this report.');
   const {record} = run;
   const panels = [...panelsOfTests(record), ...panelOfPictures(record)].filter(({points}) => points.length > 0);
-  const panel = panels.find(({name}) => name === query.get('panel')) ?? panels[0];
+  const panel = panels.find(({name}) => name === query.get('panel')) ?? mostWrong(panels);
   const order = inOrder(record.methods.map(({name}) => name));
   const told =
       h('p', {class: 'detail', role: 'status'},
@@ -197,12 +236,13 @@ export function chartPage(path, query) {
                             href: casesOf(p.method, p.fmt),
                             words: `${p.method}: ${p.timeInWords}; wrong: ${shareInWords(p.k, p.n)}`,
                           }))
-                     .sort((a, b) => a.time - b.time);
+                     .sort((a, b) => a.time - b.time)
+                     .map((p, i) => ({...p, number: i + 1}));
   const front = new Set(frontierOf(points).map(({method}) => method));
   return [
     h('h1', {}, 'What being right costs'),
     h('p', {class: 'lead'},
-      'To the left is faster, down is right more often; both axes are logarithmic, and all marks were given the same cases. A hollow mark was never wrong: it stands at the most that its share may be, with 95 % confidence. The line is the frontier: nobody is both faster and more often right.'),
+      'To the left is faster, down is right more often; both axes are logarithmic, and all marks were given the same cases. A hollow mark was never wrong: it stands at the most that its share may be, with 95\u00a0% confidence, where the cases are a sample. The line is the frontier: nobody is both faster and more often right.'),
     chooseRun(runs, run.index, 'chart'),
     tabs('population', panels.map(({name}) => name), panel?.name, (name) => to('chart', run.index, {panel: name})),
     panel && h('p', {}, `${panel.about}.`),
@@ -215,10 +255,10 @@ export function chartPage(path, query) {
               ['method', panel.unit, 'wrong', 'judged', 'share', 'at most', 'frontier'],
               points.map(
                   (p) => [
-                      [markIcon(p.look), ' ', code(p.method)], {cell: significant(p.time), class: 'n'},
-                      {cell: grouped(p.k), class: 'n'}, {cell: grouped(p.n), class: 'n'},
-                      {cell: percent(p.share), class: 'n'}, {cell: percent(p.upper), class: 'n'},
-                      front.has(p.method) ? '●' : '']),
+                      [h('b', {}, `${p.number} `), markIcon(p.look), ' ', code(p.method)],
+                      {cell: significant(p.time), class: 'n'}, {cell: grouped(p.k), class: 'n'},
+                      {cell: grouped(p.n), class: 'n'}, {cell: percent(p.share), class: 'n'},
+                      {cell: p.counted ? '' : percent(p.upper), class: 'n'}, front.has(p.method) ? '●' : '']),
               {label: 'speed and accuracy'})
         ],
     onset(record, order),

@@ -3,6 +3,7 @@
 // not become code.
 import {toDouble, toHex} from './exact.js';
 import {exactSigns} from './question.js';
+import {isPlugin} from './report.js';
 
 export const asJson = (data) => JSON.stringify(data);
 
@@ -91,9 +92,16 @@ print(signs)
 /** A word of a shell command. */
 const shellQuoted = (text) => (/^[\w./-]+$/.test(text) ? text : `'${text.replaceAll('\'', '\'\\\'\'')}'`);
 
-/** For a case that stands in no file. */
-export const replayOfText = (data) => `tribunal replay - <<'EOF'\n${asJson(data)}\nEOF`;
+/** Stands for the file of a plugin, which no record names. */
+export const libraryPlaceholder = './LIB.so';
+const pluginOption = (name) => (isPlugin(name) ? ` --plugin ${libraryPlaceholder}` : '');
 
-export const mapPixelCommand = (map, method, x, y) =>
-    `tribunal sweep --map ${shellQuoted(map.map)} ${map.probe === 'ray' ? '--probe ray ' : ''}--map-size ${
-        Number(map.size)} --method ${shellQuoted(method)} --pixel ${shellQuoted(`${method},${x},${y}`)}`;
+/** The command that replays a case: the program's, or for a case that stands in no file one with its text. */
+export function replayOf({replay, method, case: data}) {
+  if (!replay) return `tribunal replay -${pluginOption(method)} <<'EOF'\n${asJson(data)}\nEOF`;
+  return replay.endsWith('tribunal replay -') ? replay + pluginOption(method) : replay;
+}
+
+export const mapPixelCommand = (map, method, x, y) => `tribunal sweep --map ${shellQuoted(map.map)} ${
+    map.probe === 'ray' ? '--probe ray ' : ''}--map-size ${Number(map.size)} --method ${shellQuoted(method)} --pixel ${
+    shellQuoted(`${method},${x},${y}`)}${pluginOption(method)}`;

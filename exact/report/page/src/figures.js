@@ -4,18 +4,21 @@ const grouping = new Intl.NumberFormat('en-US');
 export const grouped = (n) => grouping.format(n);
 
 export function percent(share) {
-  if (share === 0) return '0 %';
-  if (share === 1) return '100 %';
+  if (share === 0) return '0\u00a0%';
+  if (share === 1) return '100\u00a0%';
   const value = 100 * share;
-  return value >= 99.995 && value < 100 ? '>99.99 %' :
+  return value >= 99.995 && value < 100 ? '>99.99\u00a0%' :
                                           `${
                                               value >= 10         ? value.toFixed(1) :
                                                   value >= 0.0995 ? value.toFixed(2) :
-                                                                    significant(value, 2)} %`;
+                                                                    significant(value, 2)}\u00a0%`;
 }
 
+/** Text of the program, with no break between a number and its percent sign. */
+export const unbroken = (text) => text.replaceAll(' %', '\u00a0%');
+
 /** A share at a power of ten, for an axis. */
-export const percentTick = (share) => `${significant(100 * share, 2)} %`;
+export const percentTick = (share) => `${significant(100 * share, 2)}\u00a0%`;
 
 /** Few digits, and powers of ten where a number is very large or small. */
 export function significant(x, digits = 3) {

@@ -1,7 +1,6 @@
 // A heat matrix that is read by eye, pointer and keys: a table with one stop for the Tab key, in which arrows move.
 // A cell's shade has seven steps, so that steps and not tones are compared, and its figure stands in it where it fits.
 import {h} from './dom.js';
-import {percent} from './figures.js';
 
 const steps = [0.0001, 0.001, 0.01, 0.03, 0.1, 0.3];
 
@@ -69,15 +68,14 @@ export function heatGrid({rows, columns, cellOf, corner, label, compact}) {
   function make(r, c) {
     const told = cellOf(rows[r].name, columns[c].name);
     const step = told ? heatStep(told.share, told.n) : -1;
-    const text = step < 0 ? '·' : compact ? (step === 0 ? '0' : '') : short(told.share);
+    const text = step < 0 ? '·' : short(told.share);
     const control =
         h(told?.href ? 'a' : 'span', {
           href: told?.href,
           class: `heat heat-${step < 0 ? 'none' : step}`,
           tabindex: -1,
           'aria-label':
-              `${step < 0 ? 'nobody was asked' : `${text || percent(told.share)} % wrong`.replace('% %', '%')}: ${
-                  rows[r].name}, ${columns[c].name}`,
+              `${step < 0 ? 'nobody was asked' : `${text}\u00a0% wrong`}: ${rows[r].name}, ${columns[c].name}`,
           role: told?.href ? null : 'img',
           onfocus: () => {
             here = [r, c];

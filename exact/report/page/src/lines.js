@@ -82,13 +82,7 @@ export function linesWithBands({xs, series, xTitle, logarithmic, label, go, also
     cursor: {y: false, points: {show: false}, drag: {x: false, y: false}},
     scales: {x: {time: false, range: padded}, y: {distr: 3, range: () => [floorOf(series), 1.3]}},
     axes: [
-      {
-        ...axisStyle,
-        label: xTitle,
-        labelSize: 26,
-        labelFont: '12px system-ui, sans-serif',
-        values: (_, ticks) => ticks.map((v) => (logarithmic ? significant(2 ** v) : significant(v)))
-      },
+      {...axisStyle, values: (_, ticks) => ticks.map((v) => (logarithmic ? significant(2 ** v) : significant(v)))},
       {
         ...axisStyle,
         size: 62,
@@ -159,7 +153,7 @@ export function linesWithBands({xs, series, xTitle, logarithmic, label, go, also
   observer.observe(box);
   shown.push({plot, observer});
   return h(
-      'figure', {class: 'plot'}, told, box,
+      'figure', {class: 'plot'}, told, box, h('p', {class: 'axis-title'}, xTitle),
       h('p', {class: 'legend'}, series.map(({name}, i) => h('span', {}, markIcon(looks[i]), name)),
         h('span', {}, 'hollow: none seen, drawn at the bound that the sample leaves')));
 }

@@ -1,7 +1,7 @@
 // Lists of cases, by what a page wants of them, and choices between runs.
 import {h, link, table} from './dom.js';
 import {grouped} from './figures.js';
-import {classRow, report} from './report.js';
+import {classRow, report, titleOf} from './report.js';
 import {note, to} from './route.js';
 
 /** Numbers of the cases of a run with these features. */
@@ -31,13 +31,13 @@ export function chooseRun(runs, index, where) {
         runs.map(
             (run) =>
                 h('option', {value: run.index, selected: run.index === index},
-                  run.title === run.directory ? run.title : `${run.title} (${run.directory})`)));
+                  run.title === run.directory ? run.title : `${titleOf(run)} (${run.directory})`)));
   return h('p', {class: 'controls'}, h('label', { for: 'run'
            }, 'of '), select);
 }
 
-/** Shows a long list by so many at a time. */
-export function paged(items, draw, size) {
+/** Shows a long list by so many at a time; `what` they are is said beside the numbers. */
+export function paged(items, draw, size, what = '') {
   if (items.length <= size) return draw(items);
   const box = h('div', {});
   const show = (from) => {
@@ -45,7 +45,7 @@ export function paged(items, draw, size) {
         'button', {type: 'button', disabled: target < 0 || target >= items.length, onclick: () => show(target)}, name);
     box.replaceChildren(
         h('p', {class: 'steps'}, step(from - size, '←'),
-          ` ${from + 1}–${Math.min(items.length, from + size)} of ${items.length} `, step(from + size, '→')),
+          ` ${from + 1}–${Math.min(items.length, from + size)} of ${items.length} ${what} `, step(from + size, '→')),
         draw(items.slice(from, from + size)));
   };
   show(0);
@@ -99,8 +99,8 @@ export function casesPage(query) {
     h('p', {class: 'lead'},
       `${grouped(numbers.length)} of ${
           grouped(
-              all.length)} in this report, the worst first: everyday input before boundaries before extreme scales.`),
-    h('p', {class: 'controls'}, pick('run', report.runs.map((run, i) => [i, `${run.kind}: ${run.title}`])),
+              all.length)} in this report, the worst first: plain input (general position, everyday scale) before boundaries before extreme scales.`),
+    h('p', {class: 'controls'}, pick('run', report.runs.map((run, i) => [i, `${run.kind}: ${titleOf(run)}`])),
       pick('method', seen((entry) => entry.method)), pick('outcome', seen((entry) => entry.outcome)),
       pick('severity', seen((entry) => entry.severity))),
     numbers.length ? caseList(numbers) : h('p', {}, 'None.'),

@@ -2,19 +2,29 @@
 // eyes), a shape for the kind of number, a dash for the order in the drawing; never by colour alone.
 import {svg} from './dom.js';
 
-const shapes = ['disc', 'square', 'triangle', 'diamond', 'cross', 'ring', 'bar', 'wedge'];
+const shapes = ['disc', 'square', 'triangle', 'diamond', 'cross', 'star', 'bar', 'wedge'];
 const dashes = [[], [7, 4], [2, 3], [10, 3, 2, 3], [4, 2], [1, 4]];
 
 const colour = (i) => getComputedStyle(document.documentElement).getPropertyValue(`--series-${i % 8}`).trim();
 
-/** The look of item i of a drawing. */
-export const lookOf = (i) => ({colour: colour(i), shape: shapes[i % shapes.length], dash: dashes[i % dashes.length]});
+/** The look of item i of a drawing. Where colours begin again shapes are shifted, so 64 items have 64 looks. */
+export const lookOf = (i) => ({
+  colour: colour(i),
+  shape: shapes[(i + Math.floor(i / shapes.length)) % shapes.length],
+  dash: dashes[i % dashes.length]
+});
 
 const outlines = {
   square: [[-1, -1], [1, -1], [1, 1], [-1, 1]],
   triangle: [[0, -1.25], [1.15, 0.9], [-1.15, 0.9]],
   wedge: [[0, 1.25], [1.15, -0.9], [-1.15, -0.9]],
   diamond: [[0, -1.35], [1.35, 0], [0, 1.35], [-1.35, 0]],
+  star: Array.from(
+      {length: 10},
+      (_, i) => {
+        const r = i % 2 ? 0.62 : 1.5;
+        return [r * Math.sin(i * Math.PI / 5), -r * Math.cos(i * Math.PI / 5)];
+      }),
   bar: [[-1.4, -0.5], [1.4, -0.5], [1.4, 0.5], [-1.4, 0.5]],
   cross: [
     [-0.4, -1.3], [0.4, -1.3], [0.4, -0.4], [1.3, -0.4], [1.3, 0.4], [0.4, 0.4], [0.4, 1.3], [-0.4, 1.3], [-0.4, 0.4],

@@ -110,15 +110,19 @@ function classesByFamilies(run, counts, method, fmt, all) {
     h('p', {}, `${grouped(wrong.length)} classes${all ? '' : ' with a wrong answer'}, the highest share first. `,
       !all && link(to('matrix', run.index, {method, fmt, all: 1}), 'Show all that were asked')),
     paged(
-        slots, (shown) => heatGrid({
-                 rows: shown,
-                 columns: families,
-                 corner: 'class',
-                 label: `classes by families of ${method}`,
-                 compact: true,
-                 cellOf: (slot, family) => cellFrom(run, sums.get(`${slot}\n${family}`), {method, family, slot, fmt}),
-               }),
-        40),
+        slots,
+        (shown) => paged(
+            families,
+            (some) => heatGrid({
+              rows: shown,
+              columns: some,
+              corner: 'class',
+              label: `classes by families of ${method}`,
+              compact: true,
+              cellOf: (slot, family) => cellFrom(run, sums.get(`${slot}\n${family}`), {method, family, slot, fmt}),
+            }),
+            narrow() ? 8 : 40, 'families'),
+        40, 'classes'),
   ];
 }
 

@@ -1,67 +1,14 @@
-// Pages of runs that are tables: leaks, benchmarks, relations, compilers, and what all was made with.
+// Pages of runs that are tables: benchmarks, relations, compilers, and what all was made with.
 import {code, h, link, table} from './dom.js';
-import {grouped, percent, shareInWords, significant} from './figures.js';
+import {grouped, percent, significant} from './figures.js';
 import {caseList, chooseRun} from './lists.js';
-import {report, runsOf} from './report.js';
+import {report, runsOf, titleOf} from './report.js';
 import {to} from './route.js';
-
-const errors = ['leak', 'lost', 'false hit', 'double hit', 'parity', 'closest', 'order', 't', 'normal', 'fault'];
-const shown = ['neighbour', 'reported twice', 'outline'];
 
 const pick = (kind, path) => {
   const runs = runsOf(kind);
   return [runs, runs.find(({index}) => index === Number(path[1])) ?? runs[0]];
 };
-
-export function leakPage(path) {
-  const [runs, run] = pick('leak', path);
-  if (!run) return h('p', {}, 'No mesh trial is in this report.');
-  return [
-    h('h1', {}, 'Is it watertight?'),
-    h('p', {class: 'lead'},
-      `Rays aimed at the vertices, edges and faces of ${
-          run.record.mesh}. Figures are per million rays; leaks come first.`),
-    chooseRun(runs, run.index, 'leak'),
-    (run.record.trials ?? []).map((trial) => leakTable(run, trial)),
-    run.cases.length > 0 && [h('h2', {}, 'Cases'), caseList(run.cases)],
-  ];
-}
-
-function leakTable(run, trial) {
-  const present =
-      [...errors, ...shown].filter((name) => trial.subjects.some(({all}) => all?.[name] > 0) || name === 'leak');
-  const rowOf =
-      (name, counts, indent) => [indent ? h('span', {class: 'indent'}, name) : code(name), ...present.map((key) => {
-        const perMillion = counts.rays ? Math.round((counts[key] / counts.rays) * 1e6) : 0;
-        return {
-          cell: counts[key] > 0 && errors.includes(key) ?
-              h('b', {class: indent ? null : 'wrong'}, grouped(perMillion)) :
-              grouped(perMillion),
-          class: 'n',
-          title: shareInWords(counts[key] ?? 0, counts.rays)
-        };
-      })];
-  return h(
-      'section', {}, h('h2', {}, trial.fmt),
-      h('p', {},
-        `${grouped(trial.rays)} rays, ${
-            grouped(trial.exactly_through_edges_or_vertices ?? 0)} of them exactly through an edge or a vertex; ${
-            grouped(trial.faces)} faces, ${trial.topology ?? ''}.`),
-      table(
-          ['method', ...present],
-          trial.subjects.flatMap(
-              (subject) =>
-                  [rowOf(subject.name ?? subject.method, subject.all, false),
-                   ...Object.entries(subject.by_aim ?? {}).map(([aim, counts]) => rowOf(`at a ${aim}`, counts, true))]),
-          {label: `outcomes, ${trial.fmt}`}),
-      trial.subjects.filter((subject) => subject.worst_faces?.length > 0)
-          .map(
-              (subject) =>
-                  h('p', {class: 'note'}, code(subject.name),
-                    ` leaks most at faces ${
-                        subject.worst_faces.slice(0, 8).map(({face, leaks}) => `${face} (${leaks})`).join(', ')}. `,
-                    link(to('cases', {run: run.index, method: subject.name}), 'cases'))));
-}
 
 export function benchPage(path) {
   const [runs, run] = pick('bench', path);
@@ -146,7 +93,7 @@ export function aboutPage() {
     h('h2', {}, 'Runs'),
     report.runs.map(
         (run) =>
-            h('details', {}, h('summary', {}, `${run.kind}: ${run.title}`),
+            h('details', {}, h('summary', {}, `${run.kind}: ${titleOf(run)}`),
               h('p', {}, `Files: ${run.files.join(', ')}`), run.command && h('pre', {tabindex: 0}, run.command),
               h('dl', {class: 'facts'},
                 Object.entries(run.environment ?? {})

@@ -1,18 +1,79 @@
 // The first page: the worst verdict, runs and methods side by side, and what was not covered before what was.
+import {kindsOfCase, whatIsAKind} from './certificate.js';
 import {code, h, link, table} from './dom.js';
-import {grouped, percent} from './figures.js';
-import {gravity, inOrder, report, rows, runsOf} from './report.js';
+import {grouped, percent, unbroken} from './figures.js';
+import {gravity, inOrder, method, report, rows, runsOf, titleOf} from './report.js';
 import {to} from './route.js';
 
 const marks = ['✓', '◐', '▲', '✗'];
-const words = ['nothing wrong found', 'a gap', 'wrong where it is hard', 'wrong'];
+const legend = [
+  [3, 'wrong in plain general position, or a fault'],
+  [2, 'wrong on boundaries or at extreme scale, a leak, or a broken relation'],
+  [1, 'incomplete, refused, or pictures that differ though no answer is wrong'],
+  [0, 'nothing wrong found'],
+];
+
+/** The severity before the figures; the other levels begin with their finding anyhow. */
+const severities = {
+  plain: 'wrong in plain general position',
+  boundary: 'wrong on boundaries',
+  extreme: 'wrong at extreme scale'
+};
+
+/** A map's verdict names the map; where its probe is a ray, it is another map than the one of segments. */
+function textOf({text, run: index}) {
+  const run = report.runs[index];
+  return run.kind === 'map' ? text.replace(run.title, () => titleOf(run)) : text;
+}
+
+/** A verdict as a headline and what stands below it. */
+function inWords(verdict) {
+  const severity = severities[verdict.level];
+  const start = `${verdict.method}: `;
+  const text = textOf(verdict);
+  if (!severity || !text.startsWith(start)) return [unbroken(text), verdict.detail];
+  return [`${start}${severity}`, [text.slice(start.length), verdict.detail].filter(Boolean).join('; ')];
+}
+
+/** Which run a verdict is of: "sweep sweep2", "map edge, rays". */
+function runInWords(run) {
+  const title = titleOf(run);
+  return title.startsWith(run.kind) ? title : `${run.kind} ${title}`;
+}
+
+/** Why fewer cases were judged than the run has: some are not owed by the method's contract. */
+function notOwed({run, method: name, fmt}) {
+  if (report.runs[run]?.kind !== 'fuzz') return null;
+  const own = rows(report.runs[run].totals).filter((row) => row.method === name && (!fmt || row.fmt === fmt));
+  const asked = own.reduce((sum, row) => sum + row.asked, 0);
+  const left = asked - own.reduce((sum, row) => sum + row.judged, 0);
+  if (left <= 0) return null;
+  const {contract} = method(name);
+  return `${grouped(left)} of its ${grouped(asked)} cases are not owed by its contract${
+      contract ? ` (${contract})` : ''}, and are not judged.`;
+}
 
 function verdictItem(verdict) {
   const grave = gravity(verdict.level);
+  const [headline, detail] = inWords(verdict);
+  const left = notOwed(verdict);
   return h(
       'li', {class: `verdict grave-${grave}`}, h('span', {class: 'mark', 'aria-hidden': 'true'}, marks[grave]),
-      h('div', {}, h('a', {href: pageOf(verdict.run)}, verdict.text), verdict.detail && h('small', {}, verdict.detail),
-        itsCase(verdict)));
+      h('div', {}, h('a', {href: pageOf(verdict.run)}, headline),
+        h('span', {class: 'of'}, ` ${runInWords(report.runs[verdict.run])}`),
+        detail && h('small', {}, unbroken(detail)), left && h('small', {}, left), itsCase(verdict)));
+}
+
+/** What the marks mean; only those that are used. */
+function legendOf(verdicts) {
+  const used = new Set(verdicts.map(({level}) => gravity(level)));
+  return h(
+      'p', {class: 'legend'},
+      legend.filter(([grave]) => used.has(grave))
+          .map(
+              ([grave, words]) =>
+                  h('span', {class: `grave-${grave}`}, h('b', {class: 'mark', 'aria-hidden': 'true'}, marks[grave]),
+                    words)));
 }
 
 /** The plainest case behind a verdict. */
@@ -40,7 +101,7 @@ function gaps() {
           .flatMap(
               (run) => (run.record.not_covered ??
                         []).map((gap) => ({
-                                  what: `${run.record.method}: ${grouped(gap.strata ?? gap.what?.length ?? 1)} strata`,
+                                  what: `${run.record.method}: ${kindsOfCase(gap.strata ?? gap.what?.length ?? 1)}`,
                                   why: gap.reason,
                                   explained: gap.explained,
                                   href: to('certificate', run.index)
@@ -49,7 +110,7 @@ function gaps() {
   const sentences = [...(report.left_out ?? []), ...report.runs.flatMap((run) => run.left_out ?? [])];
   if (all.length + sentences.length === 0) return null;
   return h(
-      'section', {}, h('h2', {}, 'What was not covered'),
+      'section', {}, h('h2', {}, 'What was not covered'), all.length > 0 && h('p', {class: 'note'}, whatIsAKind),
       h('ul', {class: 'plain'},
         all.map(
             (gap) =>
@@ -95,9 +156,11 @@ function methodsTable() {
   const has = (name) => sorted.some(({cells}) => cells[name]);
   return h(
       'section', {}, h('h2', {}, 'Methods side by side'),
+      h('p', {class: 'note'},
+        'What is wrong, by how hard its input is: plain (general position, everyday scale), on boundaries, at extreme scale.'),
       table(
           [
-            'method', 'coordinates', 'judged', 'wrong', 'share', 'everyday', 'boundary', 'extreme',
+            'method', 'coordinates', 'judged', 'wrong', 'share', 'plain', 'boundary', 'extreme',
             has('certificate') && 'certificate', has('leak') && 'leaks per million'
           ].filter(Boolean),
           sorted.map(
@@ -122,11 +185,22 @@ function runsTable() {
           ['run', 'what', 'methods', 'counterexamples', 'made by'],
           report.runs.map(
               (run, i) =>
-                  [link(pageOf(i), run.title), run.kind,
+                  [link(pageOf(i), titleOf(run)), run.kind,
                    run.methods.length > 8 ? `${run.methods.length} methods` : run.methods.join(', '),
                    {cell: run.cases_in_all ? link(to('cases', {run: i}), grouped(run.cases_in_all)) : '–', class: 'n'},
                    run.command ? code(run.command) : run.directory]),
           {label: 'runs', class: 'runs'}));
+}
+
+function worstVerdict(verdict) {
+  const [headline, detail] = inWords(verdict);
+  const left = notOwed(verdict);
+  return h(
+      'div', {class: `worst grave-${gravity(verdict.level)}`},
+      h('p', {class: 'eyebrow'}, `The worst verdict ${marks[gravity(verdict.level)]}`),
+      h('h1', {}, link(pageOf(verdict.run), headline)), detail && h('p', {}, unbroken(detail)),
+      left && h('p', {}, left),
+      Number.isInteger(verdict.case) && h('p', {}, link(to('case', verdict.case), 'See the plainest case of it')));
 }
 
 export function overviewPage() {
@@ -134,13 +208,9 @@ export function overviewPage() {
   const [worst, ...others] = verdicts;
   const shown = others.slice(0, 8);
   return [
-    worst ? h('div', {class: `worst grave-${gravity(worst.level)}`},
-              h('p', {class: 'eyebrow'}, `The worst verdict: ${words[gravity(worst.level)]}`),
-              h('h1', {}, link(pageOf(worst.run), worst.text)), worst.detail && h('p', {}, worst.detail),
-              Number.isInteger(worst.case) && h('p', {}, link(to('case', worst.case), 'See the plainest case of it'))) :
-            h('h1', {}, 'No verdict: these runs judge nobody'),
+    worst ? worstVerdict(worst) : h('h1', {}, 'No verdict: these runs judge nobody'),
     gaps(),
-    shown.length > 0 && h('h2', {}, 'Further verdicts'),
+    shown.length > 0 && [h('h2', {}, 'Further verdicts'), legendOf(verdicts)],
     shown.length > 0 &&
         h('ul', {class: 'verdicts', 'aria-label': 'further verdicts, worst first'}, shown.map(verdictItem)),
     others.length > shown.length &&

@@ -13,6 +13,9 @@ const reasons = {
   start: 'only the start of a secondary ray differs: no answer is wrong',
   unexamined: 'not examined',
 };
+/** More frames than these would hide the picture, so they are off at first. */
+const fewFrames = 200;
+
 const loaded = (entry) => new Promise((resolve) => {
   const image = new Image();
   image.onload = () => resolve(image);
@@ -78,7 +81,7 @@ function viewerOf(record, numbers, pixels, query, method, against) {
   const viewer = new Viewer(canvas, record, pixels);
   const told =
       h('p', {class: 'detail', role: 'status'},
-        pixels.length ? 'Click a framed pixel, or press n in the picture, for its case.' : ' ');
+        pixels.length ? 'Click a differing pixel, or press n in the picture, for its case.' : ' ');
   const slider = h('input', {
     type: 'range',
     id: 'split',
@@ -196,10 +199,11 @@ function viewerOf(record, numbers, pixels, query, method, against) {
     new ResizeObserver(() => viewer.draw()).observe(canvas);
   });
   const button = (name, title, action) => h('button', {type: 'button', title, onclick: action}, name);
+  viewer.marked = pixels.length <= fewFrames;
   const frames = h('input', {
     type: 'checkbox',
     id: 'frames',
-    checked: true,
+    checked: viewer.marked,
     onchange: () => {
       viewer.marked = frames.checked;
       viewer.draw();
@@ -222,7 +226,7 @@ function viewerOf(record, numbers, pixels, query, method, against) {
           h('label',
             { for: 'frames'
             },
-            ' frames'))),
+            ` frames around the ${grouped(pixels.length)} differing pixels`))),
       canvas, h('div', {class: 'controls split'}, h('label', { for: 'split'
                 }, h('span', {}, `◀ ${method}`), h('span', {}, `${against} ▶`)), slider), told);
 }

@@ -24,8 +24,25 @@ export function rows(table) {
 }
 
 export const runsOf = (kind) => report.runs.map((run, index) => ({...run, index})).filter((run) => run.kind === kind);
+
+/** The title of a run; a map of rays says so. */
+export const titleOf = ({kind, title, record}) =>
+    (kind === 'map' && record?.probe === 'ray' && !title.includes('ray') ? `${title}, rays` : title);
+
 export const classRow = (id) => report.classes?.find((row) => row.id === id);
 export const method = (name) => report.methods?.[name] ?? {};
+
+/**
+ * Whether a method that the program asked came from a shared library of the user's: a record may have the library's
+ * hash, and of its own methods the program says what they are about. Answers that were only judged came from elsewhere.
+ */
+export function isPlugin(name) {
+  const {about, reference} = method(name);
+  if (/\blibrary sha256\b/.test(reference ?? '')) return true;
+  const asked = ({kind, judged, methods}) =>
+      methods?.includes(name) && !judged && (kind !== 'leak' || !name.includes('/'));
+  return about === undefined && report.runs.some(asked);
+}
 
 /** Names in the order of the program's table; those that it does not know stand last. */
 export function inOrder(names, order = report.method_order ?? []) {
@@ -37,7 +54,7 @@ export function inOrder(names, order = report.method_order ?? []) {
 export const answersOf =
     (entry) => [...(entry.answers ?? '')].map((letter, i) => ({name: report.answer_methods[i], letter}));
 
-/** How bad a verdict is: 0 nothing, 1 a gap, 2 wrong where it is hard, 3 wrong on everyday input. */
+/** How bad a verdict is: 0 nothing, 1 a gap, 2 wrong where it is hard, 3 wrong on plain input. */
 export const gravity = (level) => ({
                                     plain: 3,
                                     fault: 3,
@@ -52,7 +69,7 @@ export const gravity = (level) => ({
     0;
 
 export const severityInWords = {
-  plain: 'everyday input in general position',
+  plain: 'general position, everyday scale',
   boundary: 'on boundaries, at everyday scale',
   extreme: 'at extreme scales',
 };

@@ -8,7 +8,7 @@ import {unitOf} from './lens.js';
 import {crossingOf, edgesOf, focusOf, logDistance, nearestOnLine, nearestOnProbe, normalOf, placeOf} from './question.js';
 import {ulp} from './rounded.js';
 import {note} from './route.js';
-import {View3D} from './view3d.js';
+import {half, View3D} from './view3d.js';
 
 let current = null;
 
@@ -19,7 +19,7 @@ export function leaveStage() {
 }
 
 const css = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
-const palette = () => ({target: css('--target'), probe: css('--probe')});
+const palette = () => ({target: css('--target'), probe: css('--probe'), ink: css('--ink'), card: css('--card')});
 
 /** Named places to look at. */
 function placesOf(question) {
@@ -62,6 +62,20 @@ function sizesOf(question, focus) {
 /** The whole, unless the target would be a dot in it. */
 const firstSize = (sizes) => (sizes.whole - sizes.target > 3 ? sizes.target : sizes.whole);
 
+/** How far, in doublings, a zoom may be from a size that fills the picture before the focus is in the middle. */
+const slack = 1.5;
+
+/** Places that fill the picture at a zoom, and how much they count: at the whole all of them, at the target its own. */
+function fitOf(question, sizes, size) {
+  const {p, q, rings} = question.exact;
+  const target = rings.flat().map(placeOf);
+  const all = [...target, placeOf(p), ...(question.isRay ? [] : [placeOf(q)])];
+  const near = (mark) => Math.max(0, 1 - Math.abs(size - mark) / slack);
+  const [places, weight] = near(sizes.whole) > 0 || firstSize(sizes) === sizes.whole ? [all, near(sizes.whole)] :
+                                                                                       [target, near(sizes.target)];
+  return {places, weight};
+}
+
 const power = (size) => (Math.abs(size) < 10 ? significant(2 ** size) : `2${superscript(Math.round(size))}`);
 
 /** A length of 2^size in words: in units of the coordinates, and in ulps of the largest of them. */
@@ -71,8 +85,11 @@ function lengthInWords(size, unitUlp) {
   return `${decimal} = ${Math.abs(ulps) < 20 ? significant(2 ** ulps) : `2${superscript(Math.round(ulps))}`} ulp`;
 }
 
-/** The stage as an element. `state` has `zoom` (a number or a name) and `at` (which place), from the fragment. */
-export function stage(question, state) {
+/**
+ * The stage as an element. `hit`: whether the probe meets the target, if that is known. `state` has `zoom` (a number
+ * or a name) and `at` (which place), from the fragment.
+ */
+export function stage(question, state, hit) {
   leaveStage();
   if (!question.finite)
     return h('p', {class: 'note'}, 'Some coordinate is not a finite number: there is nothing to draw.');
@@ -94,11 +111,25 @@ export function stage(question, state) {
   const normal = normalOf(question);
   const {direction} = question.exact;
   view.face(isZero(normal) ? null : unitOf(normal), isZero(direction) ? [0, 0, 0] : unitOf(direction));
-  return controls(question, state, {canvas, labels, view});
+  return controls(question, state, hit, {canvas, labels, view});
 }
 
-function controls(question, state, {canvas, labels, view}) {
+/** A legend of what the view marks. */
+function whatIsMarked(question, crossing, hit) {
+  if (!crossing) return null;
+  const plane = question.isPolygon ? 'the polygon’s plane' : 'the triangle’s plane';
+  const where = `where the probe’s line crosses ${plane}`;
+  const known = hit !== null && hit !== undefined;
+  return h(
+      'span', {class: 'marked'},
+      hit ? `The ring is ${where}: they meet there.` :
+          known ? `The broken ring is ${where}: they do not meet.` :
+                  `The broken ring is ${where}.`);
+}
+
+function controls(question, state, hit, {canvas, labels, view}) {
   const places = placesOf(question);
+  const crossing = crossingOf(question);
   let at = Math.min(Math.max(0, Number(state.at) || 0), places.length - 1);
   let sizes = sizesOf(question, places[at][1]);
   let size = sizes[state.zoom] ??
@@ -111,12 +142,14 @@ function controls(question, state, {canvas, labels, view}) {
           places.map(([name], i) => h('option', {value: i, selected: i === at}, name)));
 
     function draw() {
-      view.show(question, places[at][1], size);
+      const fit = at === 0 ? fitOf(question, sizes, size) : {places: [], weight: 0};
+      view.show(question, places[at][1], size, {crossing, hit: Boolean(hit), fit});
       slider.min = -sizes.whole - 1;
       slider.max = -sizes.least;
       slider.value = -size;
       slider.setAttribute('aria-valuetext', `half width ${lengthInWords(size, sizes.unitUlp)}`);
-      scale.textContent = `from the middle to the edge: ${lengthInWords(size, sizes.unitUlp)}`;
+      const shown = size + Math.log2((view.halfHeight ?? half) / half);
+      scale.textContent = `from the middle to the edge: ${lengthInWords(shown, sizes.unitUlp)}`;
     }
     function zoomTo(next) {
       size = Math.min(sizes.whole + 1, Math.max(sizes.least, next));
@@ -178,7 +211,7 @@ function controls(question, state, {canvas, labels, view}) {
             button('one ulp', 'one unit in the last place of the largest coordinate from edge to edge (key u)', 'ulp'),
             button('the gap', 'the smallest distance from the place looked at that is not zero (key g)', 'gap'))),
         h('div', {class: 'controls'}, h('label', { for: 'zoom'
-          }, 'zoom '), slider), h('figcaption', {}, scale));
+          }, 'zoom '), slider), h('figcaption', {}, scale, whatIsMarked(question, crossing, hit)));
 }
 
 /** Colours may have changed with the scheme. */

@@ -94,7 +94,7 @@ export function sweepPage(path, query) {
     }) :
                     h('p', {class: 'note'}, 'Nobody was asked this.'),
     h('h2', {}, 'Thresholds'),
-    thresholds(record, axis.name),
+    thresholds(record, state),
   ];
 }
 
@@ -105,12 +105,21 @@ function shareOf(row, outcome) {
 
 const at = (point) => (point ? `${significant(point.value, 6)}` : '–');
 
-function thresholds(record, axis) {
-  const own = (record.thresholds ?? []).filter((row) => row.axis === axis);
-  if (own.length === 0) return h('p', {}, 'Along this axis nobody was wrong.');
+/** The thresholds of what is shown: of `wrong`, those of every outcome. */
+function thresholds(record, {axis, fmt, probe, outcome}) {
+  const along = (record.thresholds ?? []).filter((row) => row.axis === axis);
+  if (along.length === 0) return h('p', {}, 'Along this axis nobody was wrong.');
+  const own =
+      along.filter((row) => row.fmt === fmt && row.probe === probe && (outcome === 'wrong' || row.outcome === outcome));
+  const of = `${fmt}, ${probe}s${outcome === 'wrong' ? '' : `, ${outcome}`}`;
+  const left = along.length - own.length;
+  const others = left > 0 ? ` ${left} further thresholds of this axis are of other formats, probes or outcomes.` : '';
+  if (own.length === 0) return h('p', {}, `None of ${of}.${others}`);
   return [
     h('p', {class: 'note'},
-      'Last value without, first with, and the first from which on nothing else was left. A witness is a case at the first.'),
+      `Of ${
+          of}, as chosen above: the last value without, the first with, and the first from which on nothing else was left. A witness is a case at the first.${
+          others}`),
     table(
         ['method', 'format', 'side', 'probe', 'outcome', 'none up to', 'first', 'rate there', 'all from', 'witness'],
         own.map(

@@ -66,14 +66,16 @@ export class Viewer {
       g.fillRect(w * this.split - 0.5, 0, 1, hgt);
     } else
       put(this.images[this.mode]);
-    if (this.marked) this.drawMarks(g, x, y);
+    this.drawMarks(g, x, y);
   }
 
-  /** A frame about each differing pixel, in a shape for its reason once there is room. */
+  /**
+   * A frame about each differing pixel, or only about the chosen one, in a shape for its reason once there is room.
+   */
   drawMarks(g, x, y) {
     const {scale} = this;
     const size = Math.max(scale, 5);
-    for (const pixel of this.pixels) {
+    for (const pixel of this.marked ? this.pixels : this.pixels.filter((one) => one === this.chosen)) {
       const [cx, cy] = [x + (pixel.x + 0.5) * scale, y + (pixel.y + 0.5) * scale];
       const chosen = pixel === this.chosen;
       for (const [colour, width] of [
