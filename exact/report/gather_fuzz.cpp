@@ -19,12 +19,6 @@ constexpr std::array numbers = {"asked", "wrong", "unsupported", "refused", "fal
                                 "fault", "plain", "boundary",    "extreme", "twin asked", "logic",      "rounding"};
 using Numbers = std::array<std::uint64_t, numbers.size()>;
 
-std::uint64_t number_in(const Json& row, const char* key) { return row.value(key, std::uint64_t{0}); }
-
-std::uint64_t number_in(const Json& row, const char* group, const char* key) {
-  return row.contains(group) ? number_in(row[group], key) : 0;
-}
-
 Numbers numbers_of(const Json& row) {
   return {number_in(row, "asked"),
           number_in(row, "wrong"),

@@ -6,8 +6,6 @@
 namespace tribunal {
 namespace {
 
-std::uint64_t number_in(const Json& row, const char* key) { return row.value(key, std::uint64_t{0}); }
-
 /// Leaks are worse than any other error; errors beside them are wrong answers on the boundaries of faces.
 Line leak_line(std::size_t run, const Json& subject, const std::string& fmt, const std::string& mesh) {
   const Json all = subject.at("all");

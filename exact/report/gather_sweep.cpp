@@ -8,8 +8,6 @@
 namespace tribunal {
 namespace {
 
-std::uint64_t number_in(const Json& row, const char* key) { return row.value(key, std::uint64_t{0}); }
-
 /// A row with what was wrong as members of its own: outcomes keep their names, severities theirs. The number of
 /// refusals is the one in the outcome of that name, which is there wherever it is not 0.
 Json flat(Json row) {

@@ -114,6 +114,12 @@ Level worst_level(const Json& counts);
 /// "judged".
 Line line_of(std::size_t run, const std::string& method, const std::string& fmt, const Json& counts);
 
+/// A count of a record, or of a group of it; 0 where the record leaves it out.
+inline std::uint64_t number_in(const Json& row, const char* key) { return row.value(key, std::uint64_t{0}); }
+inline std::uint64_t number_in(const Json& row, const char* group, const char* key) {
+  return row.contains(group) ? number_in(row[group], key) : 0;
+}
+
 /// `tribunal WORDS…`, each word as a shell takes it.
 std::string command_of(const std::vector<std::string>& words);
 
