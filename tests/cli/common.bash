@@ -25,15 +25,20 @@ plugin() {
 }
 
 # interrupt_and_resume ARG…: runs the command with --out parts --resume, a second at a time and with another number of
-# threads each time, until it is done and ends with 1. What the first part left stays in first-part.
+# threads each time, until it is done and ends with 1; where the first second suffices for all of it, half as long at a
+# time, and so on. What the first part left stays in first-part.
 interrupt_and_resume() {
-  local status threads parts=0
-  for threads in 1 2 7 2 1 2 7 2 2 2 2; do
-    timeout --foreground --preserve-status -s INT 1 "$TRIBUNAL" "$@" --threads "$threads" --out parts --resume >out 2>err && status=0 || status=$?
-    [ "$status" -ne 1 ] || break
-    [ "$status" -eq 130 ] && says out 'INTERRUPTED' && [ ! -e parts/summary.json ] || { cat err >&2; exit 1; }
-    [ -e first-part ] || cp -r parts first-part
-    parts=$((parts + 1))
+  local status threads seconds parts=0
+  for seconds in 1 .5 .25 .125; do
+    for threads in 1 2 7 2 1 2 7 2 2 2 2; do
+      timeout --foreground --preserve-status -s INT "$seconds" "$TRIBUNAL" "$@" --threads "$threads" --out parts --resume >out 2>err && status=0 || status=$?
+      [ "$status" -ne 1 ] || break
+      [ "$status" -eq 130 ] && says out 'INTERRUPTED' && [ ! -e parts/summary.json ] || { cat err >&2; exit 1; }
+      [ -e first-part ] || cp -r parts first-part
+      parts=$((parts + 1))
+    done
+    [ "$parts" -eq 0 ] || break
+    rm -r parts
   done
   [ "$parts" -gt 0 ] || { echo "never interrupted" >&2; exit 1; }
   [ -e parts/summary.json ] || expect 1 "$@" --out parts --resume
