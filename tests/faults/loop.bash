@@ -30,7 +30,9 @@ broke() {
 as_before_or_after() {
   local now
   now=$(tree out)
-  [ "$now" = "$before" ] || [ "$now" = "$after" ] || [ -z "$now" ] && [ "$before" = none ] || between
+  if [ "$now" = "$before" ] || [ "$now" = "$after" ]; then return 0; fi
+  if [ -z "$now" ] && [ "$before" = none ]; then return 0; fi
+  between
 }
 between() { false; }
 
