@@ -8,10 +8,10 @@ mkdir old && echo old >old/answers.jsonl && ln -s old link
 fail_each 28 ENOSPC old classify --method mt-float --in cases.jsonl --out out/answers.jsonl
 
 # Findings of a run whose results cannot be written are kept.
-between() { [ "$(ls out)" = checkpoint.jsonl ] && grep -qF '"record":"end"' out/checkpoint.jsonl; }
+between() { grep -qF '"record":"end"' out/checkpoint.jsonl && [ "$(tree out | grep -v /checkpoint)" = "$([ ! -e out/summary.json ] || echo "$after")" ]; }
 mkdir found && for file in summary.json counterexamples.jsonl mine; do echo old >found/$file; done
 fail_each 5 EIO none fuzz --method mt-float --count 2000 --family affine --out out
-between() { [ "$(ls out)" = "$(printf '%s\n' checkpoint.jsonl mine)" ]; }
+between() { grep -qF '"record":"end"' out/checkpoint.jsonl && [ "$(tree out | grep -v /checkpoint)" = "$([ ! -e out/summary.json ] && tree out | grep /mine || echo "$after")" ]; }
 fail_each 5 EIO found fuzz --method mt-float --count 2000 --family affine --out out
 between() { false; }
 FAIL_SHORT=1 fail_each 5 short none fuzz --method mt-float --count 2000 --family affine --out out

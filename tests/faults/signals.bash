@@ -55,6 +55,7 @@ send_at_moments() {
     fi
     [ -z "$(ls again)" ] || [ "$(ls again)" = "$(ls out)" ] || may_hold again || { echo "$*: SIG$signal left a part:" >&2; ls again >&2; exit 1; }
   done
+  rm -rf out again
   echo "$1: $moments moments of ${took:0:4} s"
 }
 # may_hold DIR: a sound state between nothing and all; scripts define it anew.
