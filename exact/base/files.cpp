@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "exact/base/failure.h"
+#include "exact/base/fp_environment.h"
 
 namespace tribunal {
 namespace {
@@ -73,6 +74,7 @@ std::string read_file(const std::string& path, std::size_t limit) {
 }
 
 void write_file(const std::string& path, std::string_view bytes) {
+  refuse_changed_rounding();
   if (path == "-") return print(bytes);
   if (is_special(path)) return write_in_place(path, bytes, path);
   const std::string temporary = path + ".tmp" + std::to_string(getpid());
@@ -93,7 +95,10 @@ void make_directory(const std::string& path) {
   if (error || !fs::is_directory(path)) throw output_failed(path, error ? error.value() : ENOTDIR);
 }
 
-void print(std::string_view text) { write_all(stdout, text, "standard output"); }
+void print(std::string_view text) {
+  refuse_changed_rounding();
+  write_all(stdout, text, "standard output");
+}
 
 void require_different(const std::string& input, const std::string& output) {
   std::error_code ignored;

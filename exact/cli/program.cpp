@@ -2,6 +2,7 @@
 
 #include <csignal>
 #include <cstdio>
+#include <locale>
 #include <new>
 #include <string>
 #include <system_error>
@@ -10,6 +11,8 @@
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
 #include "exact/base/fp_environment.h"
+#include "exact/base/plain_locale.h"
+#include "exact/base/sudden_end.h"
 
 namespace tribunal {
 namespace {
@@ -42,7 +45,10 @@ int run_command(std::span<const Command> commands, const std::vector<std::string
 
 int run_program(std::span<const Command> commands, int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is then a failed write, which has its own exit code
+  install_last_resort();
+  use_plain_locale();
   try {
+    std::locale::global(std::locale::classic());
     require_exact_rounding();
     return run_command(commands, std::vector<std::string>(argv + 1, argv + argc));
   } catch (const Failure& failure) {

@@ -1,0 +1,98 @@
+#!/usr/bin/env python3
+"""Makes every n-th allocation, mapping and thread start of small runs of each command fail, once or for good.
+
+Each run must end with exit code 7 and one line, or with the result of a run without faults. Prints what was tried, and a last
+line `tried N, broke M: …`; exits with 1 where anything broke.
+"""
+import argparse
+import concurrent.futures
+import os
+import subprocess
+import sys
+import tempfile
+
+import commands
+
+parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+parser.add_argument("--program", required=True)
+parser.add_argument("--source", required=True)
+parser.add_argument("--most", type=int, default=0, metavar="N", help="runs a command and kind of fault, spread evenly; 0: every call")
+parser.add_argument("--jobs", type=int, default=1)
+parser.add_argument("--scratch")
+parser.add_argument("--commands", default=",".join(commands.COMMANDS), metavar="NAME,…")
+parser.add_argument("--kinds", default="memory,map,threads")
+options = parser.parse_args()
+names = options.commands.split(",")
+scratch = tempfile.mkdtemp(dir=options.scratch)
+inputs, shim = os.path.join(scratch, "inputs"), os.path.join(scratch, "resources.so")
+program = os.path.abspath(options.program)
+subprocess.run([os.environ.get("CC", "cc"), "-shared", "-fPIC", "-O1", "-o", shim,
+                os.path.join(options.source, "tests/faults/resources.c"), "-ldl"], check=True)
+commands.prepare(program, options.source, inputs, names)
+clean = {name: commands.Expected(program, name, inputs, os.path.join(scratch, "clean"), {}) for name in names}
+
+
+def calls_of(name, kind):
+    count = os.path.join(scratch, "count")
+    if os.path.exists(count):
+        os.remove(count)
+    commands.run(program, name, inputs, os.path.join(scratch, "counted"),
+                 {"LD_PRELOAD": shim, "FAULT_WHAT": kind, "FAULT_AT": "0", "FAULT_COUNT": count})
+    with open(count, encoding="ascii") as file:
+        return int(file.read())
+
+
+def chosen(total, most):
+    """Which calls fail: all of them, or the first and the last few and as many as that between."""
+    if most == 0 or total <= most:
+        return list(range(1, total + 1))
+    edge = most // 4
+    inner = most - 2 * edge
+    between = [edge + 1 + (total - 2 * edge) * i // inner for i in range(inner)]
+    return sorted({*range(1, edge + 1), *between, *range(total - edge + 1, total + 1)})
+
+
+def fault_in(name, kind, on, n):
+    """Whether the fault happened, and what was wrong with the run's end, or nothing."""
+    folder = os.path.join(scratch, f"{name}.{kind}.{on}.{n}")
+    fired = folder + ".fired"
+    got = commands.run(program, name, inputs, folder,
+                       {"LD_PRELOAD": shim, "FAULT_WHAT": kind, "FAULT_ON": on, "FAULT_AT": str(n), "FAULT_FIRED": fired})
+    happened = os.path.exists(fired)
+    if happened:
+        os.remove(fired)
+    if got.exit == 7:
+        why = clean[name].half_results(got)
+        if not happened:
+            why.append("exit 7 without a fault")
+        if not commands.one_line(got):
+            why.append("not one line")
+    else:
+        why = clean[name].differences(got)
+    return happened, f"{'; '.join(why)}: {got.err.decode(errors='replace').strip()[:300]}" if why else ""
+
+
+tried, broken, kinds_seen = 0, [], set()
+with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+    for name in names:
+        for kind in options.kinds.split(","):
+            total = calls_of(name, kind)
+            most = options.most if options.most or name not in commands.SLOW else 100
+            for on in ("once", "after"):
+                picked = chosen(total, most)
+                results = list(pool.map(lambda n, k=kind, o=on, c=name: fault_in(c, k, o, n), picked))
+                happened = sum(1 for fault, _ in results if fault)
+                wrong = [(n, why) for n, (_, why) in zip(picked, results) if why]
+                tried += happened
+                if happened:
+                    kinds_seen.add(kind)
+                broken += [(name, kind, on, n, why) for n, why in wrong]
+                if total:
+                    print(f"{name:18} {kind:8} {on:6} {total:8} calls, {happened:6} made to fail, broke {len(wrong)}", flush=True)
+                for n, why in wrong[:5]:
+                    print(f"    {kind} {on} {n}: {why}", flush=True)
+missing = set(options.kinds.split(",")) - kinds_seen
+if missing and options.commands == ",".join(commands.COMMANDS):
+    broken.append(("all", ",".join(missing), "", 0, "no call was ever made to fail"))
+print(f"tried {tried}, broke {len(broken)}: allocations, mappings and thread starts that fail")
+sys.exit(1 if broken or tried == 0 else 0)
