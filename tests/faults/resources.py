@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Makes every n-th allocation, mapping and thread start of small runs of each command fail, once or for good.
 
-Each run must end with exit code 7 and one line, or with the result of a run without faults. Prints what was tried, and a last
-line `tried N, broke M: …`; exits with 1 where anything broke.
+Each run must end with exit code 7 and one line, or with the result of a run without faults. Allocations fail in copies of a
+single run (resources.c): a copy that does not end at once as it should is tried again as a run of its own. Prints what was tried,
+and a last line `tried N, broke M: …`; exits with 1 where anything broke.
 """
 import argparse
 import concurrent.futures
@@ -16,7 +17,8 @@ import commands
 parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
 parser.add_argument("--program", required=True)
 parser.add_argument("--source", required=True)
-parser.add_argument("--most", type=int, default=0, metavar="N", help="runs a command and kind of fault, spread evenly; 0: every call")
+parser.add_argument("--most", type=int, default=100, metavar="N", help="runs of their own, a command and kind of fault, spread evenly")
+parser.add_argument("--copies", type=int, default=0, metavar="N", help="copies of a run, about; 0: one for every allocation")
 parser.add_argument("--jobs", type=int, default=1)
 parser.add_argument("--scratch")
 parser.add_argument("--commands", default=",".join(commands.COMMANDS), metavar="NAME,…")
@@ -32,19 +34,35 @@ commands.prepare(program, options.source, inputs, names)
 clean = {name: commands.Expected(program, name, inputs, os.path.join(scratch, "clean"), {}) for name in names}
 
 
-def calls_of(name, kind):
+def counted(name, kind, **more):
+    """How often the run calls such a function, and in how many copies of it one failed."""
     count = os.path.join(scratch, "count")
     if os.path.exists(count):
         os.remove(count)
-    commands.run(program, name, inputs, os.path.join(scratch, "counted"),
-                 {"LD_PRELOAD": shim, "FAULT_WHAT": kind, "FAULT_AT": "0", "FAULT_COUNT": count})
+    got = commands.run(program, name, inputs, os.path.join(scratch, "counted"),
+                       {"LD_PRELOAD": shim, "FAULT_WHAT": kind, "FAULT_AT": "0", "FAULT_COUNT": count, **more}, 3000)
+    if not os.path.exists(count):
+        raise SystemExit(f"{name}: no count; exit {got.exit}: {got.err.decode(errors='replace')}")
+    why = clean[name].differences(got)
+    if why:
+        raise SystemExit(f"{name}: another result under the watch of {shim}: {'; '.join(why)}")
     with open(count, encoding="ascii") as file:
-        return int(file.read())
+        return [int(word) for word in file.read().split()]
+
+
+def others_in_copies(name, stride):
+    """How many allocations failed in copies of the run, and the numbers of those after which one did not end as it should."""
+    others = os.path.join(scratch, "others")
+    open(others, "w", encoding="ascii").close()
+    _, copies = counted(name, "memory", FAULT_ON="each", FAULT_AT=str(stride), FAULT_OTHERS=others,
+                        FAULT_LINE="tribunal: out of memory\n")
+    with open(others, encoding="ascii") as file:
+        return copies, [int(line) for line in file]
 
 
 def chosen(total, most):
     """Which calls fail: all of them, or the first and the last few and as many as that between."""
-    if most == 0 or total <= most:
+    if total <= most:
         return list(range(1, total + 1))
     edge = most // 4
     inner = most - 2 * edge
@@ -72,27 +90,34 @@ def fault_in(name, kind, on, n):
     return happened, f"{'; '.join(why)}: {got.err.decode(errors='replace').strip()[:300]}" if why else ""
 
 
-tried, broken, kinds_seen = 0, [], set()
+tried, broken = 0, []
+
+
+def report(name, kind, on, total, happened, wrong):
+    global tried, broken
+    tried += happened
+    broken += wrong
+    if total:
+        print(f"{name:18} {kind:8} {on:6} {total:8} calls, {happened:6} made to fail, broke {len(wrong)}", flush=True)
+    for n, why in wrong[:5]:
+        print(f"    {kind} {on} {n}: {why}", flush=True)
+
+
+def singly(name, kind, on, picked):
+    """Runs of their own; how many faults happened, and what broke."""
+    results = list(pool.map(lambda n: fault_in(name, kind, on, n), picked))
+    return sum(1 for fault, _ in results if fault), [(n, why) for n, (_, why) in zip(picked, results) if why]
+
+
 with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
     for name in names:
         for kind in options.kinds.split(","):
-            total = calls_of(name, kind)
-            most = options.most if options.most or name not in commands.SLOW else 100
+            total = counted(name, kind)[0]
+            if kind == "memory":
+                stride = max(1, total // options.copies) if options.copies else 1
+                copies, others = others_in_copies(name, stride)
+                report(name, kind, "each", total, copies, singly(name, kind, "once", others[:200])[1])
             for on in ("once", "after"):
-                picked = chosen(total, most)
-                results = list(pool.map(lambda n, k=kind, o=on, c=name: fault_in(c, k, o, n), picked))
-                happened = sum(1 for fault, _ in results if fault)
-                wrong = [(n, why) for n, (_, why) in zip(picked, results) if why]
-                tried += happened
-                if happened:
-                    kinds_seen.add(kind)
-                broken += [(name, kind, on, n, why) for n, why in wrong]
-                if total:
-                    print(f"{name:18} {kind:8} {on:6} {total:8} calls, {happened:6} made to fail, broke {len(wrong)}", flush=True)
-                for n, why in wrong[:5]:
-                    print(f"    {kind} {on} {n}: {why}", flush=True)
-missing = set(options.kinds.split(",")) - kinds_seen
-if missing and options.commands == ",".join(commands.COMMANDS):
-    broken.append(("all", ",".join(missing), "", 0, "no call was ever made to fail"))
+                report(name, kind, on, total, *singly(name, kind, on, chosen(total, options.most)))
 print(f"tried {tried}, broke {len(broken)}: allocations, mappings and thread starts that fail")
 sys.exit(1 if broken or tried == 0 else 0)
