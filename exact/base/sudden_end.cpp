@@ -46,11 +46,11 @@ extern "C" void on_trap(int signal, siginfo_t* info, void*) {
 void end_at_once(Exit exit, std::string_view line) noexcept {
   constexpr std::string_view start = "tribunal: ";
   constexpr std::string_view over_progress = "\r\x1b[K";  // which may stand on a terminal's line
-  char text[over_progress.size() + start.size() + 250 + 1];
+  char text[over_progress.size() + start.size() + 1000 + 1];
   char* end = text;
   if (isatty(STDERR_FILENO)) end = std::copy(over_progress.begin(), over_progress.end(), end);
   end = std::copy(start.begin(), start.end(), end);
-  end = std::copy_n(line.begin(), std::min<std::size_t>(line.size(), 250), end);
+  end = std::copy_n(line.begin(), std::min<std::size_t>(line.size(), 1000), end);
   *end++ = '\n';
   [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text, static_cast<std::size_t>(end - text));
   _exit(code(exit));

@@ -18,6 +18,8 @@ namespace tribunal {
 namespace {
 
 int fail(Exit exit, const std::string& line) {
+  // Static objects may have been made in another rounding mode; CGAL's would abort as they are destroyed.
+  if (exit == Exit::fp_environment) end_at_once(exit, line);
   std::fprintf(stderr, "%s%s\n", exit == Exit::bad_input ? "" : "tribunal: ", line.c_str());
   return code(exit);
 }
@@ -49,8 +51,10 @@ int run_program(std::span<const Command> commands, int argc, char** argv) {
   use_plain_locale();
   try {
     std::locale::global(std::locale::classic());
-    require_exact_rounding();
-    return run_command(commands, std::vector<std::string>(argv + 1, argv + argc));
+    refuse_changed_rounding();  // it was repaired before static objects were made
+    const int exit = run_command(commands, std::vector<std::string>(argv + 1, argv + argc));
+    require_exact_rounding();  // all is written; CGAL aborts at exit if it finds another mode
+    return exit;
   } catch (const Failure& failure) {
     return fail(failure.exit(), failure.what());
   } catch (const std::bad_alloc&) {

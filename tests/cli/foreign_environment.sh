@@ -6,7 +6,7 @@ source "$(dirname "$0")/common.bash"
 attempt() { python3 -B "$SOURCE_DIR/tests/faults/environment.py" --program "$TRIBUNAL" --source "$SOURCE_DIR" --scratch "$scratch" "$@"; }
 
 attempt --commands classify,fuzz-threads,render-threads,verify --when start,threads
-attempt --commands version,help,methods,cases,judge,check,shrink,replay,leak,sweep,report --changes x87-53,all,traps,c++locale --when start
+attempt --commands version,help,methods,cases,judge,check,shrink,replay,leak,sweep-map,report --changes x87-53,all,traps,c++locale --when start
 attempt --commands fuzz,render --changes up,daz,x87-24,traps,c++locale --when malloc --most "${MOST:-8}"
 attempt --commands fuzz --changes up,ftz,x87-24 --when timer --most 24
 

@@ -1,5 +1,6 @@
 """Small runs of every command, to be run again and again under faults."""
 import os
+import re
 import shutil
 import subprocess
 
@@ -21,13 +22,14 @@ COMMANDS = {
     "verify": "verify @/certificate",
     "render": "render @/scene.json --method sf-double --against sf-filtered --threads 1 -o image.png --stats stats.json",
     "render-threads": "render @/scene.json --method sf-double --threads 3 -o image.png",
-    "leak": "leak @/octahedron.off --method woop-float,sf-filtered --threads 1 --out leaks",
+    "leak": "leak @/octahedron.off --method woop-float,sf-filtered --rays 200 --threads 1 --out leaks",
     "sweep": "sweep --method mt-double --axis scale --count 20 --threads 1 --out sweep",
+    "sweep-map": "sweep --map edge --probe ray --method mt-double --map-size 6 --threads 1 --out sweep",
     "report": "report @/findings --out page.html",
-    "isolated": "classify --plugin @/plugin.so --isolate --method my-mt --in @/cases.jsonl",
+    "isolated": "classify --plugin @/plugin.so --isolate --time-limit 60 --method my-mt --in @/cases.jsonl",
     "redraw": "chart --redraw @/chart",
 }
-SLOW = {"certify", "verify", "redraw"}  # seconds a run, or far more calls than can be tried one by one
+SLOW = {"certify", "verify", "sweep", "sweep-map", "redraw"}  # seconds a run
 
 OCTAHEDRON = """OFF
 6 8 0
@@ -91,11 +93,17 @@ def prepare(program, source, inputs, names):
         run(0, "chart", "--quick", "--out", "chart")
 
 
+def without_times(content):
+    """The same with times and rates masked: at the end of a line, before a unit, in JSON."""
+    return re.sub(rb'"seconds": ?[\d.e+-]+|[\d.]+ ?(?=[kMG]?/s|s\b|\n)', b"#", content)
+
+
 class Result:
     """What a run left: its exit code, both streams, and the files of its folder."""
 
     def __init__(self, exit_code, out, err, files):
-        self.exit, self.out, self.err, self.files = exit_code, out, err, files
+        self.exit, self.out, self.err = exit_code, without_times(out), err
+        self.files = {n: without_times(b) if n.endswith(".json") else b for n, b in files.items()}
 
 
 def run(program, command, inputs, folder, environment, seconds=120):
@@ -119,7 +127,7 @@ def run(program, command, inputs, folder, environment, seconds=120):
 
 
 class Expected:
-    """What a run leaves without faults. Files that differ between two such runs hold times, and are only to exist."""
+    """What a run leaves without faults. Files that differ between two such runs hold other figures that are measured, and are only to exist."""
 
     def __init__(self, program, command, inputs, folder, environment):
         first = run(program, command, inputs, folder, environment)

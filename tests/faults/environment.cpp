@@ -1,6 +1,7 @@
 // Preloaded, changes the floating-point environment or the locale as CHANGE_TO says, when CHANGE_WHEN says: "start"
 // before main, "threads" in every new thread before it runs, a number N at the N-th malloc on the thread that calls it,
-// "timer" on the main thread after CHANGE_AFTER microseconds. The file CHANGED is made at the first change.
+// "timer" after CHANGE_AFTER microseconds in the thread that is then interrupted. The file CHANGED is made at the first
+// change.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <pthread.h>
@@ -89,10 +90,10 @@ void start_timer() {
   struct sigaction action {};
   action.sa_sigaction = on_timer;
   action.sa_flags = SA_SIGINFO | SA_RESTART;
-  sigaction(SIGVTALRM, &action, nullptr);
+  sigaction(SIGALRM, &action, nullptr);
   itimerval after{};
   after.it_value.tv_usec = std::atol(variable("CHANGE_AFTER"));
-  setitimer(ITIMER_VIRTUAL, &after, nullptr);
+  setitimer(ITIMER_REAL, &after, nullptr);
 }
 
 long change_at = 0, calls = 0;

@@ -28,7 +28,7 @@ parser.add_argument("--changes", default=",".join(FLOATING + LOCALES), metavar="
 parser.add_argument("--when", default="start,threads,malloc,timer")
 options = parser.parse_args()
 names = options.commands.split(",")
-scratch = tempfile.mkdtemp(dir=options.scratch)
+scratch = os.path.abspath(tempfile.mkdtemp(dir=options.scratch))
 inputs, shim, locales = (os.path.join(scratch, name) for name in ("inputs", "environment.so", "locales"))
 program = os.path.abspath(options.program)
 subprocess.run([os.environ.get("CXX", "g++"), "-std=c++20", "-shared", "-fPIC", "-O1", "-o", shim,
@@ -79,7 +79,7 @@ for name in names:
                 step = max(step + 1, n // 6)
         if "timer" in options.when and not is_locale:
             for k in range(1, 1 + options.most // 6):
-                if not attempt(name, change, "timer", False, 4000 * k):
+                if not attempt(name, change, "timer", False, 2000 * k):
                     break
                 happened.add("timer")
     print(f"{name:18} {tried - before[1]:6} changes, broke {len(broken) - before[0]}", flush=True)
