@@ -76,6 +76,9 @@ struct Start {
   void* with;
 };
 
+/// Before static objects are made, as is the repair of the floating-point environment.
+[[gnu::constructor(101)]] void install_early() { tribunal::install_last_resort(); }
+
 /// A thread of ours. Where its environment cannot be repaired, the exception ends the program.
 extern "C" void* begin(void* given) {
   const Start start = *static_cast<Start*>(given);

@@ -145,7 +145,9 @@ class Expected:
         if got.exit != self.exit:
             why.append(f"exit {got.exit}, expected {self.exit}")
         if self.out is not None and got.out != self.out:
-            why.append("other bytes on standard output")
+            pairs = zip(got.out.splitlines() + [b""], self.out.splitlines() + [b""])
+            lines = next((f"{g!r}, expected {e!r}" for g, e in pairs if g != e), "its end")
+            why.append(f"other bytes on standard output: {lines}")
         for name in sorted(self.files.keys() | got.files.keys()):
             if name not in self.files or name not in got.files:
                 why.append(f"{name} is {'missing' if name in self.files else 'left'}")
