@@ -95,7 +95,7 @@ def prepare(program, source, inputs, names):
 
 def without_times(content):
     """The same with times and rates masked: at the end of a line, before a unit, in JSON."""
-    return re.sub(rb'"seconds": ?[\d.e+-]+|[\d.]+ ?(?=[kMG]?/s|s\b|\n)', b"#", content)
+    return re.sub(rb'"seconds": ?[\d.e+-]+|[\d.]+ ?([kMG]?/s|s\b|(?=\n))', b"#", content)
 
 
 class Result:
