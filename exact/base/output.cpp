@@ -20,6 +20,7 @@
 #include <utility>
 
 #include "exact/base/failure.h"
+#include "exact/base/fp_environment.h"
 #include "exact/base/interrupt.h"
 #include "exact/base/temporaries.h"
 
@@ -218,6 +219,7 @@ class OutputFile::Staged {
   }
 
   void spill() {
+    refuse_changed_rounding();
     file_.write(buffer_, named_);
     buffer_.clear();
   }

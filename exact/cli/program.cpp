@@ -2,6 +2,7 @@
 
 #include <csignal>
 #include <cstdio>
+#include <locale>
 #include <new>
 #include <string>
 #include <system_error>
@@ -11,11 +12,15 @@
 #include "exact/base/files.h"
 #include "exact/base/fp_environment.h"
 #include "exact/base/interrupt.h"
+#include "exact/base/plain_locale.h"
+#include "exact/base/sudden_end.h"
 
 namespace tribunal {
 namespace {
 
 int fail(Exit exit, const std::string& line) {
+  // Static objects may have been made in another rounding mode; CGAL's would abort as they are destroyed.
+  if (exit == Exit::fp_environment) end_at_once(exit, line);
   std::fprintf(stderr, "%s%s\n", exit == Exit::bad_input ? "" : "tribunal: ", line.c_str());
   return code(exit);
 }
@@ -42,12 +47,17 @@ int run_command(std::span<const Command> commands, const std::vector<std::string
 }
 
 int run_program(std::span<const Command> commands, int argc, char** argv) {
+  install_last_resort();
+  use_plain_locale();
   std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is then a failed write, which has its own exit code
   std::signal(SIGXFSZ, SIG_IGN);  // and so is a file that would become larger than the limit
   watch_interrupts();
   try {
-    require_exact_rounding();
-    return run_command(commands, std::vector<std::string>(argv + 1, argv + argc));
+    std::locale::global(std::locale::classic());
+    refuse_changed_rounding();  // it was repaired before static objects were made
+    const int exit = run_command(commands, std::vector<std::string>(argv + 1, argv + argc));
+    require_exact_rounding();  // all is written; CGAL aborts at exit if it finds another mode
+    return exit;
   } catch (const Failure& failure) {
     return fail(failure.exit(), failure.what());
   } catch (const std::bad_alloc&) {

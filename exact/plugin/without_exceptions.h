@@ -4,6 +4,7 @@
 #include <exception>
 #include <string>
 
+#include "exact/base/foreign_code.h"
 #include "exact/plugin/calls.h"
 
 namespace tribunal {
@@ -13,6 +14,7 @@ template <class Call>
 auto without_exceptions(const Call& call) {
   std::string what = "an exception of its own";
   try {
+    const ForeignCode theirs;
     return call();
   } catch (const std::exception& error) {
     what = error.what();
