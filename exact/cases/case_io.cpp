@@ -7,6 +7,7 @@
 
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
+#include "exact/base/foreign_json.h"
 #include "exact/cases/case_line.h"
 #include "exact/classes/class_table.h"
 
@@ -232,7 +233,7 @@ void for_each_line_in(std::string_view text, const std::string& path,
     const Where where{path, ++line_number};
     if (is_blank(line)) continue;
     if (line.size() > max_line) where.fail("line longer than 1 MiB, expected one JSON object");
-    visit(parse_json(line, where, Beyond::infinite), where);
+    visit(parse_json_beyond(line, where), where);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "exact/base/failure.h"
+#include "exact/base/foreign_json.h"
 #include "exact/base/interrupt.h"
 #include "exact/base/parallel.h"
 #include "exact/base/progress.h"
