@@ -10,6 +10,7 @@
 #include "exact/base/interrupt.h"
 #include "exact/base/parallel.h"
 #include "exact/base/progress.h"
+#include "exact/base/shown.h"
 #include "exact/record/counterexample.h"
 
 namespace tribunal {
@@ -33,7 +34,7 @@ void answer_exactly(Exam& exam, const std::string& path, unsigned threads) {
   for (std::size_t i = 0; i < n; ++i) {
     if (!is_finite(exam.cases[i].query)) continue;
     const std::string error = mistaken_claim(exam.cases[i], exam.truths[i]);
-    if (!error.empty()) throw bad_input(path, 0, exam.cases[i].id + ": " + error);
+    if (!error.empty()) throw bad_input(path, 0, shown(exam.cases[i].id) + ": " + error);
   }
 }
 
@@ -187,7 +188,7 @@ class Sheets {
     if (missing == 0) return answers;
     throw bad_input(path, 0,
                     std::to_string(missing) + " of " + std::to_string(ids_.size()) + " answers of " + sheet.method +
-                        " are missing, the first to \"" + ids_[first] + "\"; expected one for each case");
+                        " are missing, the first to \"" + shown(ids_[first]) + "\"; expected one for each case");
   }
 
   const std::vector<std::string>& ids_;
