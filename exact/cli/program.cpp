@@ -13,15 +13,23 @@
 #include "exact/base/fp_environment.h"
 #include "exact/base/interrupt.h"
 #include "exact/base/plain_locale.h"
+#include "exact/base/shown.h"
 #include "exact/base/sudden_end.h"
 
 namespace tribunal {
 namespace {
 
+/// How long a line of an error may be. What ends with a whole case, for whoever wants to replay it, may be longer.
+constexpr std::size_t longest_line(Exit e) {
+  return e == Exit::disagreement || e == Exit::oracles_contradict ? std::size_t{1} << 20 : 1000;
+}
+
+/// The only way of a message to standard error.
 int fail(Exit exit, const std::string& line) {
+  const std::string text = shown_shortly(line, longest_line(exit));
   // Static objects may have been made in another rounding mode; CGAL's would abort as they are destroyed.
-  if (exit == Exit::fp_environment) end_at_once(exit, line);
-  std::fprintf(stderr, "%s%s\n", exit == Exit::bad_input ? "" : "tribunal: ", line.c_str());
+  if (exit == Exit::fp_environment) end_at_once(exit, text);
+  std::fprintf(stderr, "%s%s\n", exit == Exit::bad_input ? "" : "tribunal: ", text.c_str());
   return code(exit);
 }
 
