@@ -263,7 +263,7 @@ std::string mistaken_claim(const Case& c, const Truth& truth) {
   return "the case claims " + class_name(c.class_id) + ", the exact answer is " + describe(truth);
 }
 
-std::string replay(const Case& c, bool& wrong) {
+std::string replay(const Case& c, const std::vector<Method>& methods, bool& wrong) {
   const Truth truth = exact_truth(c.query);
   std::string text = c.id + "  (" + std::string(name_of(c.format)) + ")\n" + points_of(c.query);
   text += "  exact " + exact_evidence(c.query).dump() + "\n  exact answer " + describe(truth) + "\n";
@@ -272,7 +272,7 @@ std::string replay(const Case& c, bool& wrong) {
     text += "  THE FILE IS WRONG: " + error + "\n";
   }
   text += row("method", "answer", "contact", "verdict");
-  for (const Method& method : all_methods()) text += verdict_of(method, c, truth, wrong);
+  for (const Method& method : methods) text += verdict_of(method, c, truth, wrong);
   return text;
 }
 
