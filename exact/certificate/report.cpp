@@ -3,6 +3,7 @@
 
 #include "exact/base/shown.h"
 #include "exact/certificate/bounds.h"
+#include "exact/certificate/rate.h"
 #include "exact/certificate/report_parts.h"
 
 namespace tribunal {
@@ -22,7 +23,7 @@ std::string proved_table(const Certificate& c) {
   for (const ProvedSet& s : c.proved) {
     text += "| " + s.name + " | " + probes_word(s.of_rays) + "s | " + std::to_string(s.size) + " | " +
             std::to_string(s.classes) + " | " + std::to_string(s.count.wrong) + " | " +
-            std::to_string(s.count.unsupported) + " | " + s.answers_hash + " | " + s.oracles + " |" +
+            std::to_string(s.count.not_owed()) + " | " + s.answers_hash + " | " + s.oracles + " |" +
             outcomes_cell(c, s.count);
   }
   return text;
@@ -47,8 +48,8 @@ std::string sampled_table(const Certificate& c) {
       if (count.asked == 0) continue;
       text += "| " + row.family + " | " + std::string(name_of(row.format)) + " | " + probes_word(rays) + "s | " +
               stress_of(c, row) + " | " + std::to_string(count.judged()) + " | " + std::to_string(count.wrong) + " | " +
-              rate_of(count) + " | " + percent_text(upper_bound(count.wrong, count.judged(), confidence_alpha)) + " |" +
-              outcomes_cell(c, count);
+              rate_in_words(count) + " | " + percent(upper_bound(count.wrong, count.judged(), confidence_alpha)) +
+              " |" + outcomes_cell(c, count);
     }
   }
   return text;
@@ -74,7 +75,7 @@ std::string stages_line(const Certificate& c, const std::string& title, const Co
   for (const Stage stage : c.stages) {
     const double share =
         total.judged() == 0 ? 0 : static_cast<double>(total.at(stage)) / static_cast<double>(total.judged());
-    text += " " + c.word_of(stage) + " " + std::to_string(total.at(stage)) + " (" + percent_text(share) + ")";
+    text += " " + c.word_of(stage) + " " + std::to_string(total.at(stage)) + " (" + percent(share) + ")";
   }
   return text + ".\n\n";
 }
@@ -116,7 +117,7 @@ std::string gaps_list(const Certificate& c) {
 
 std::string calibration_line(const std::string& what, const Count& count) {
   return "- " + what + ": " + std::to_string(count.wrong) + " wrong of " + std::to_string(count.judged()) + " (" +
-         rate_of(count) + ")\n";
+         rate_in_words(count) + ")\n";
 }
 
 std::string calibration_list(const Certificate& c) {

@@ -2,6 +2,7 @@
 #include "exact/base/shown.h"
 #include "exact/cases/families/aimed.h"
 #include "exact/certificate/bounds.h"
+#include "exact/certificate/rate.h"
 #include "exact/certificate/report_parts.h"
 
 namespace tribunal {
@@ -22,7 +23,7 @@ std::string sampled_line(const Certificate& c, bool rays, Format format) {
   if (sampled.asked == 0) return "";
   return std::string("  sampled  ") + (rays ? "rays, " : "segments, ") + std::string(name_of(format)) + ": " +
          with_breakdown(sampled) + "; 95 % upper bound " +
-         percent_text(upper_bound(sampled.wrong, sampled.judged(), confidence_alpha)) + " on these populations\n";
+         percent(upper_bound(sampled.wrong, sampled.judged(), confidence_alpha)) + " on these populations\n";
 }
 
 /// Counts of the user's own mesh, which are part of those above. People take them for leaks.
@@ -34,6 +35,18 @@ std::string mesh_lines(const Certificate& c) {
             ", each about one triangle of your mesh: no leak rate, which `tribunal leak` measures\n";
   }
   return text;
+}
+
+/// A contract that culls says nothing of pierced polygons, whose front is not defined by their vertices.
+std::string unjudged_polygons_line(const Certificate& c) {
+  if (c.contract.culling == Culling::none) return "";
+  Count own;
+  for (const Stratum& s : c.strata) {
+    if (c.is_own(s) && operands_of(s.slot) == Operands::polygons) own += s.count;
+  }
+  if (own.not_owed() == 0) return "";
+  return "  own      " + std::to_string(own.not_owed()) + " of " + std::to_string(own.asked) +
+         " polygons are not judged: a test that culls owes no answer about those that are pierced\n";
 }
 
 std::string summary_of(const Certificate& c) {
@@ -52,6 +65,7 @@ std::string summary_of(const Certificate& c) {
     if (own.asked > 0) text += "  own      " + std::string(name_of(format)) + ": " + with_breakdown(own) + "\n";
   }
   for (const NonfiniteRow& row : c.nonfinite) text += "  not finite, " + in_words(row) + "\n";
+  text += unjudged_polygons_line(c);
   text += relation_lines(c) + errors_lines(c) + fault_lines(c, "  FAULT    ") + worst_line(c);
   text += (c.coverage.has(Operands::polygons) ? "  judged   " : "  classes  ") + coverage_text(c) + "\n";
   for (const Gap& g : c.gaps) {

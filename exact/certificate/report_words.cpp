@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "exact/base/foreign_json.h"
+#include "exact/certificate/rate.h"
 #include "exact/certificate/report_parts.h"
 
 namespace tribunal {
@@ -49,29 +50,29 @@ std::string in_words(const NonfiniteRow& row) {
          " refused" + answered;
 }
 
-std::string percent_text(double rate) {
-  char text[32];
-  std::snprintf(text, sizeof text, rate == 0 || rate >= 0.001 ? "%.3g %%" : "%.2e %%", 100 * rate);
-  return text;
-}
-
-std::string rate_of(const Count& c) {
+std::string rate_in_words(const Count& c) {
   if (c.judged() == 0) return "-";
-  return percent_text(static_cast<double>(c.wrong) / static_cast<double>(c.judged()));
+  return percent(static_cast<double>(c.wrong) / static_cast<double>(c.judged()));
 }
 
 const char* classes_word(const Certificate& c) { return c.operands() == Operands::triangles ? "classes" : "outcomes"; }
 
 std::string after_semicolon(const std::string& text) { return text.empty() ? "" : "; " + text; }
 
-/// "1 wrong of 12 (8.33 %); 3 outside the contract"
-std::string wrong_of(const Count& count) {
-  return std::to_string(count.wrong) + " wrong of " + std::to_string(count.judged()) + " (" + rate_of(count) + ")" +
-         (count.unsupported == 0 ? "" : "; " + std::to_string(count.unsupported) + " outside the contract");
+namespace {
+
+std::string judged_of(const Count& count) {
+  return std::to_string(count.wrong) + " wrong of " + std::to_string(count.judged()) + " (" + rate_in_words(count) +
+         ")" + (count.not_owed() == 0 ? "" : "; " + std::to_string(count.not_owed()) + " outside the contract");
 }
 
-/// The same, and what the wrong answers are.
-std::string with_breakdown(const Count& count) { return wrong_of(count) + after_semicolon(breakdown(count)); }
+}  // namespace
+
+std::string wrong_of(const Count& count) {
+  return judged_of(count) + (count.refused == 0 ? "" : "; " + std::to_string(count.refused) + " refused");
+}
+
+std::string with_breakdown(const Count& count) { return judged_of(count) + after_semicolon(breakdown(count)); }
 
 Count total_of(const Certificate& c, std::size_t stream) {
   Count total;

@@ -71,7 +71,7 @@ std::string contradictions(const std::vector<Case>& cases) {
 bool expects(const Case& c) { return c.expect || !is_finite(c.query); }
 
 int run(const Options& o) {
-  const std::vector<Method> methods = methods_named(o.methods);
+  const std::vector<Method> methods = methods_on_trial(o.methods);
   const std::vector<Case> cases = read_cases(o.file);
   const auto silent = std::ranges::count_if(cases, [](const Case& c) { return !expects(c); });
   std::string text = o.exact ? contradictions(cases) : "", summaries;
@@ -97,7 +97,7 @@ int run(const Options& o) {
 Action declare_check(Arguments& arguments) {
   const auto o = std::make_shared<Options>();
   arguments.option("FILE", o->file, "case file (JSON Lines) with \"expect\"; - is standard input").required();
-  arguments.option("--method", o->methods, "methods, separated by commas").required();
+  add_methods_option(arguments, o->methods);
   arguments.flag("--exact", o->exact, "hold what the file expects against the exact answer too");
   return with_plugins(arguments, [o] { return run(*o); });
 }

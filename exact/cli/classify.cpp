@@ -29,7 +29,7 @@ Answer owed_answer(const Method& method, const Query& query) {
 }
 
 int run(const Options& o) {
-  const std::vector<Method> methods = methods_named(o.methods);
+  const std::vector<Method> methods = methods_on_trial(o.methods);
   require_different(o.in, o.out);
   std::string lines;
   bool any_fault = false;
@@ -48,8 +48,8 @@ int run(const Options& o) {
 
 Action declare_classify(Arguments& arguments) {
   const auto o = std::make_shared<Options>();
-  arguments.option("--method", o->methods, "methods, separated by commas").required();
-  arguments.option("--in", o->in, "case file (JSON Lines); - is standard input").shows_default();
+  add_methods_option(arguments, o->methods);
+  arguments.option("--in,FILE", o->in, "case file (JSON Lines); - is standard input").shows_default();
   arguments.option("--out", o->out, "answer file (JSON Lines); - is standard output").shows_default();
   return with_plugins(arguments, [o] { return run(*o); });
 }

@@ -13,7 +13,7 @@ namespace tribunal {
 namespace {
 
 struct ReplayOptions {
-  std::string file, language, function = "my_test";
+  std::string file, methods, language, function = "my_test";
 };
 
 int run_replay(const ReplayOptions& o) {
@@ -24,10 +24,12 @@ int run_replay(const ReplayOptions& o) {
     print(emit(cases, o.language, o.function, o.file));
     return code(Exit::ok);
   }
+  const std::vector<Method> methods =
+      o.methods.empty() ? std::vector<Method>(all_methods().begin(), all_methods().end()) : methods_named(o.methods);
   bool any_wrong = false;
   for (const Case& c : cases) {
     bool wrong = false;
-    print(replay(c, wrong) + "\n");
+    print(replay(c, methods, wrong) + "\n");
     any_wrong |= wrong;
   }
   return code(any_wrong ? Exit::disagreement : Exit::ok);
@@ -65,6 +67,7 @@ int run_shrink(const std::string& file, const std::string& method, const std::st
 Action declare_replay(Arguments& arguments) {
   const auto o = std::make_shared<ReplayOptions>();
   arguments.option("FILE", o->file, "case or counterexample file (JSON Lines); - is standard input").required();
+  arguments.option("--method,--methods", o->methods, "whose answers are shown, separated by commas (default: all)");
   arguments.option("--emit", o->language, "print a test to paste instead, which expects the exact answer")
       .one_of(emitted_languages());
   arguments
@@ -80,7 +83,7 @@ Action declare_shrink(Arguments& arguments) {
   };
   const auto o = std::make_shared<Options>();
   arguments.option("FILE", o->file, "counterexample file (JSON Lines)").required();
-  arguments.option("--method", o->method, "the method that is wrong (default: the one that the file names)");
+  arguments.option("--method,--methods", o->method, "the method that is wrong (default: the one that the file names)");
   arguments.option("--out", o->out, "where the shrunk cases go; - is standard output").shows_default();
   return with_plugins(arguments, [o] { return run_shrink(o->file, o->method, o->out); });
 }

@@ -272,9 +272,9 @@ std::string mistaken_claim(const Case& c, const Truth& truth) {
 namespace {
 
 /// Of a case with numbers that are not finite, which every method must refuse.
-std::string refusals(const Case& c, bool& wrong) {
+std::string refusals(const Case& c, const std::vector<Method>& methods, bool& wrong) {
   std::string text = "  no exact answer: a number is not finite\n" + row("method", "answer", "contact", "verdict");
-  for (const Method& method : all_methods()) {
+  for (const Method& method : methods) {
     const Answer answer = try_ask(method, c.query).answer;
     const bool refused = answer.status == Status::nonfinite;
     wrong |= !refused;
@@ -285,8 +285,8 @@ std::string refusals(const Case& c, bool& wrong) {
 
 }  // namespace
 
-std::string replay(const Case& c, bool& wrong) {
-  if (!is_finite(c.query)) return heading(c) + refusals(c, wrong);
+std::string replay(const Case& c, const std::vector<Method>& methods, bool& wrong) {
+  if (!is_finite(c.query)) return heading(c) + refusals(c, methods, wrong);
   const Truth truth = exact_truth(c.query);
   std::string text =
       heading(c) + "  exact " + exact_evidence(c.query).dump() + "\n  exact answer " + describe(truth) + "\n";
@@ -295,7 +295,7 @@ std::string replay(const Case& c, bool& wrong) {
     text += "  THE FILE IS WRONG: " + error + "\n";
   }
   text += row("method", "answer", "contact", "verdict");
-  for (const Method& method : all_methods()) text += verdict_of(method, c, truth, wrong);
+  for (const Method& method : methods) text += verdict_of(method, c, truth, wrong);
   return text;
 }
 

@@ -6,6 +6,7 @@
 
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
+#include "exact/base/json.h"
 #include "exact/base/output.h"
 #include "exact/certificate/certificate.h"
 #include "exact/certificate/certify.h"
@@ -131,11 +132,43 @@ int run_cases(const Options& o) {
     nonfinite += all.back().all_nonfinite().refused;
     text += to_summary(all.back());
   }
-  if (sum.judged() + answered + nonfinite == 0)
-    throw bad_input(o.mesh.answers, 0, "no answer is \"ok\" and owed, nothing to judge");
+  if (sum.judged() + answered + nonfinite == 0) {
+    throw bad_input(o.mesh.answers, 0,
+                    std::string("no answer is \"ok\" and owed, nothing to judge") +
+                        (o.culls ? "; with --culls none is owed about pierced polygons" : ""));
+  }
   if (!o.mesh.trial.out.empty()) text += write_report(o.mesh.trial.out, logs, all);
   print(text);
   return code(sum.wrong + answered > 0 ? Exit::disagreement : Exit::ok);
+}
+
+/// The words that judge the same again: the files in the order given, and what the answers promise.
+std::vector<std::string> command_of(const Options& o) {
+  std::vector<std::string> words = {"judge"};
+  const auto add = [&](const char* option, const std::string& value, const std::string& otherwise = "") {
+    if (value != otherwise) words.insert(words.end(), {option, value});
+  };
+  const auto add_number = [&](const char* option, double value) {
+    if (value > 0) add(option, Json(value).dump());
+  };
+  const auto add_flag = [&](const char* option, bool given) {
+    if (given) words.emplace_back(option);
+  };
+  add("--cases", o.cases);
+  add("--mesh", o.mesh.trial.mesh);
+  add("--rays", o.mesh.rays);
+  add("--answers", o.mesh.answers);
+  add("--convention", o.convention, "closed");
+  add("--boundary", o.boundary);
+  add("--ends", o.ends, "closed");
+  add("--bounds", o.bounds, "closed");
+  add_flag("--culls", o.culls);
+  add_flag("--no-degenerate", o.no_degenerate);
+  add_flag("--sorted", o.mesh.promises.sorted);
+  add_number("--most-ulps", o.mesh.promises.most_ulps);
+  add_number("--most-degrees", o.mesh.promises.most_degrees);
+  add_flag("--normals-towards-source", o.towards_source);
+  return words;
 }
 
 int run(const Options& o) {
@@ -145,6 +178,7 @@ int run(const Options& o) {
   }
   if (cases) return run_cases(o);
   MeshAnswers answers = o.mesh;
+  answers.trial.command = command_of(o);
   answers.promises.contract = contract_of(o, false);
   if (o.towards_source) answers.promises.sense = leak::NormalSense::towards_source;
   return judge_mesh_answers(answers);
