@@ -4,6 +4,7 @@
   --threads N      threads of the commands that take them; without it their default
   --interrupt      stop the command with {resume} again and again, each time with other threads, until it is done
   --scale N        N times the cases
+  --long           the lines of the long form too
   --across         leave out what says which build made a result: compiler, flags, revision, and hashes that cover them
   --only NAME…     these commands alone (comma-separated)
 
@@ -123,7 +124,8 @@ class Runner:
 def main(options):
     runner = Runner(options)
     only = options.only.split(",") if options.only else None
-    lines = [line for line in manifest() if only is None or line[0].rstrip("-") in only]
+    lines = [line for line in manifest() if options.long or not line[0].startswith("+")]
+    lines = [line for line in lines if only is None or line[0].strip("+-") in only]
     if not lines:
         sys.exit("hash.py: no command")
     for name, expected, arguments in lines:
@@ -132,7 +134,7 @@ def main(options):
         printed = (runner.run_in_parts if in_parts else runner.run)(name, expected, arguments)
         if options.across and not runner.made_by and os.path.exists(os.path.join(options.folder, "fuzz/summary.json")):
             runner.learn_build(os.path.join(options.folder, "fuzz/summary.json"))
-        print(runner.hash_of(printed, before), name.rstrip("-"), flush=True)
+        print(runner.hash_of(printed, before), name.strip("+-"), flush=True)
 
 
 if __name__ == "__main__":
@@ -140,6 +142,7 @@ if __name__ == "__main__":
     parser.add_argument("--threads", type=int)
     parser.add_argument("--interrupt", action="store_true")
     parser.add_argument("--scale", type=int, default=1)
+    parser.add_argument("--long", action="store_true")
     parser.add_argument("--across", action="store_true")
     parser.add_argument("--only")
     parser.add_argument("program")
