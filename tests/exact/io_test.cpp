@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "exact/base/failure.h"
-#include "exact/base/files.h"
 #include "exact/base/fp_environment.h"
+#include "exact/base/output.h"
 #include "exact/cases/case_io.h"
 #include "exact/cases/families/draw.h"
 #include "exact/classes/class_table.h"
