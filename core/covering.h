@@ -119,12 +119,12 @@ bool lies_in(const Polygon& polygon, const Plane& plane, const K& k) {
 
 /// Whether the triangles of one planar ring are a triangulation: all turn the same way, and seen from o no vertex lies
 /// half a turn or more beyond the first. Convex rings without further vertices on the lines of the two edges at o
-/// qualify, and so do all other rings that are visible from o as a whole. The polygon must span a plane: a single ring
-/// then has three vertices.
+/// qualify, and so do all other rings that are visible from o as a whole.
 template <Kernel K>
 bool is_fan(const Polygon& polygon, Axis dropped, const K& k) {
   if (polygon.rings() != 1) return false;
   const Ring v = polygon.ring(0);
+  if (v.size() < 3) return false;
   const Sign turn = k.orient2d(dropped, v[0], v[1], v[2]);
   if (turn == Sign::zero) return false;
   for (std::size_t i = 2; i < v.size(); ++i) {

@@ -6,14 +6,13 @@
 namespace tribunal {
 namespace {
 
-/// The sign of det(a − o, b − o, d(ε)); zero where o, a and b lie on one line. Nobody asks that: so where the first
-/// three determinants are zero, the last is not.
+/// The sign of det(a − o, b − o, d(ε)); zero where o, a and b lie on one line.
 Sign passed_side(const FilteredKernel& k, const Ray& r, const Point3& a, const Point3& b) {
-  for (const Direction& d : {r.d, Direction{{1, 0, 0}}, Direction{{0, 1, 0}}}) {
+  for (const Direction& d : {r.d, Direction{{1, 0, 0}}, Direction{{0, 1, 0}}, Direction{{0, 0, 1}}}) {
     const Sign s = k.orient3d(r.o, a, b, d);
     if (s != Sign::zero) return s;
   }
-  return k.orient3d(r.o, a, b, Direction{{0, 0, 1}});
+  return Sign::zero;
 }
 
 }  // namespace

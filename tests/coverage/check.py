@@ -17,8 +17,8 @@ ROOT = HERE.parent.parent
 sys.path.insert(0, str(ROOT / 'tests/mutation'))
 from groups import GROUP_OF  # noqa: E402
 
-# What an answer is made of: the tests themselves, and the filters and exact numbers that give them signs. The same files as
-# are mutated, since both ask the same question of the same programs: is there a check for this?
+# What an answer is made of: the tests themselves, and the filters and exact numbers that give them signs. Each is
+# measured by the program of checks that is for it.
 FILES = sorted(GROUP_OF)
 
 

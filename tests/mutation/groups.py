@@ -1,4 +1,4 @@
-"""Which files are mutated, and measured for coverage, and by which program of checks."""
+"""Which program of checks is for which files."""
 import dataclasses
 import pathlib
 import re

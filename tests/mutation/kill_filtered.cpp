@@ -242,8 +242,8 @@ Sign det_sign(const Point3& o, const Point3& a, const Point3& b, const Point3& x
 void crossings(EveryKind& every) {
   int n = 0;
   every(3, [&](Five f) {
-    // Edges, source and direction in a plane of two axes, or of one, so that the perturbation decides.
-    for (int axis = 0; axis < 3 && ++n % 2 == 0; ++axis) f.p[axis] = f.t.a[axis] = f.t.b[axis], f.q[axis] = 0;
+    // Edges, source and direction in a plane of two axes, so that the perturbation decides.
+    if (const int axis = ++n % 4; axis < 3) f.p[axis] = f.t.a[axis] = f.t.b[axis], f.q[axis] = 0;
     const Ray r{f.p, {f.q}};
     const Crossing c = crossing(r, f.t);
     const Sign cone = oracle.orient3d(f.p, f.t.a, f.t.b, f.t.c);
