@@ -10,6 +10,7 @@
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
 #include "exact/base/fp_environment.h"
+#include "exact/base/interrupt.h"
 
 namespace tribunal {
 namespace {
@@ -42,6 +43,8 @@ int run_command(std::span<const Command> commands, const std::vector<std::string
 
 int run_program(std::span<const Command> commands, int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is then a failed write, which has its own exit code
+  std::signal(SIGXFSZ, SIG_IGN);  // and so is a file that would become larger than the limit
+  watch_interrupts();
   try {
     require_exact_rounding();
     return run_command(commands, std::vector<std::string>(argv + 1, argv + argc));

@@ -33,6 +33,7 @@ int pthread_create(pthread_t *t, const pthread_attr_t *a, void *(*run)(void *), 
 }
 EOF
 gcc -shared -fPIC -O1 -w force.c -o force.so -ldl
+force=$(preloaded "$scratch/force.so")
 
 cd "$SOURCE_DIR"
 cases=data/cases/classes163.jsonl
@@ -46,7 +47,7 @@ hunt 2>/dev/null | grep '^sf-filtered' >"$scratch/expected_hunt"
 for bits in 2000 4000 6000 8000 0040 8040 e040; do
   for command in ask hunt; do
     status=0
-    FORCED_MXCSR=$bits LD_PRELOAD=$scratch/force.so $command >"$scratch/answers" 2>"$scratch/err" || status=$?
+    FORCED_MXCSR=$bits LD_PRELOAD=$force $command >"$scratch/answers" 2>"$scratch/err" || status=$?
     [ $status -eq 4 ] && continue
     [ $status -eq 0 ] || { cat "$scratch/err" >&2; exit 1; }
     if [ $command = hunt ]; then
