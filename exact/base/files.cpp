@@ -10,6 +10,8 @@
 #include <system_error>
 
 #include "exact/base/failure.h"
+#include "exact/base/fp_environment.h"
+#include "exact/base/shown.h"
 
 namespace tribunal {
 namespace {
@@ -107,7 +109,10 @@ std::string read_file(const std::string& path, std::size_t limit) {
   return bytes;
 }
 
-void print(std::string_view text) { write_all(stdout, text, "standard output"); }
+void print(std::string_view text) {
+  refuse_changed_rounding();
+  write_all(stdout, shown_lines(text), "standard output");
+}
 
 void require_different(const std::string& input, const std::string& output) {
   std::error_code ignored;

@@ -10,6 +10,7 @@
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
 #include "exact/base/fp_environment.h"
+#include "exact/base/plain_locale.h"
 
 namespace tribunal {
 namespace {
@@ -46,6 +47,7 @@ std::optional<const D*> described_by(void* library, const char* name, const std:
   const auto describe = reinterpret_cast<const D* (*)()>(dlsym(library, name));
   if (describe == nullptr) return std::nullopt;
   const D* const description = describe();
+  use_plain_locale();
   require_exact_rounding();  // whatever the library did as it was loaded and asked
   if (description == nullptr) throw bad_input(file, 0, std::string(name) + " returned NULL");
   return description;

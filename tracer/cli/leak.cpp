@@ -27,15 +27,11 @@ struct Options {
   bool every_face = false;
 };
 
-bool takes_rays(const Method& m) { return m.contract.probes.rays && m.contract.triangles != Triangles::none; }
-
-/// The methods named on the command line; if none, those of the plugins; if there are no plugins, the flagship and
-/// all methods that are not exact.
+/// The methods on trial; without names and plugins, the flagship and all methods that are not exact.
 std::vector<Method> methods_of(const Options& o) {
-  if (!o.methods.empty()) return methods_named(o.methods);
+  if (o.methods.empty() && !loaded_meshes().empty() && loaded_methods().empty()) return {};
+  if (!o.methods.empty() || !loaded_methods().empty()) return methods_on_trial(o.methods);
   std::vector<Method> methods;
-  for (const std::string& name : loaded_methods()) methods.push_back(*find_method(name));
-  if (!loaded_methods().empty() || !loaded_meshes().empty()) return methods;
   methods.push_back(flagship_method());
   for (const Method& m : all_methods()) {
     if (!m.contract.exact && m.contract.triangles != Triangles::none) methods.push_back(m);
@@ -123,6 +119,15 @@ int write_rays(const Options& o, const Mesh& mesh) {
   return 0;
 }
 
+std::vector<std::string> command_of(const Options& o) {
+  std::vector<std::string> words = {"leak", o.trial.mesh};
+  if (!o.methods.empty()) words.insert(words.end(), {"--method", o.methods});
+  words.insert(words.end(), {"--format", o.format, "--seed", std::to_string(o.trial.seed)});
+  if (o.rays > 0) words.insert(words.end(), {"--rays", std::to_string(o.rays)});
+  if (o.every_face) words.emplace_back("--every-face");
+  return words;
+}
+
 int run(const Options& o) {
   const Mesh mesh = triangulated(read_mesh(o.trial.mesh), o.trial.mesh);
   if (!o.rays_out.empty()) return write_rays(o, mesh);
@@ -143,28 +148,26 @@ int run(const Options& o) {
 Action declare_leak(Arguments& arguments) {
   const auto o = std::make_shared<Options>();
   arguments.option("MESH", o->trial.mesh, "mesh file (OFF, OBJ, PLY, STL)").required();
-  arguments.option("--method", o->methods,
-                   "methods, separated by commas (default: those of plugins; without any, the certified one and all "
-                   "that are not exact)");
+  add_methods_option(arguments, o->methods, "the certified one and all that are not exact");
   arguments.option("--format", o->format, "of the rays, and of the mesh, which is rounded to it")
       .one_of({"binary64", "binary32", "both"})
       .shows_default();
   arguments.option("--rays", o->rays, "rays, of each format (default: four for each vertex, edge and face)")
-      .whole_number()
       .above_zero();
-  arguments.option("--seed", o->trial.seed, "seed of the rays").whole_number().shows_default();
+  arguments.option("--seed", o->trial.seed, "seed of the rays").shows_default();
   add_threads_option(arguments, o->trial.threads);
   arguments.option("--out", o->trial.out, "directory for summary.json, cases.jsonl and painted meshes (PLY)");
-  arguments.option("--keep", o->trial.keep, "cases to write, a method and kind of error")
-      .whole_number()
-      .shows_default();
+  arguments.option("--keep", o->trial.keep, "cases to write, a method and kind of error").shows_default();
   arguments.flag("--by-aim", o->trial.by_aim, "show rays aimed at vertices, edges and faces apart");
   arguments.flag("--every-face", o->every_face, "ask about every face, not only those whose boxes the ray meets");
   arguments.option("--rays-out", o->rays_out,
                    "directory for the rays of each format and the mesh that they are aimed at, as files; nobody is "
                    "asked: answer the rays where you are, and see `tribunal judge --mesh`");
   arguments.flag("--json", o->trial.json, "all counts as JSON instead of the table");
-  Action action = with_plugins(arguments, [o] { return run(*o); });
+  Action action = with_plugins(arguments, [o] {
+    o->trial.command = command_of(*o);
+    return run(*o);
+  });
   for (const char* other : {"--method", "--plugin", "--out", "--json"}) arguments.excludes("--rays-out", other);
   return action;
 }
