@@ -119,21 +119,27 @@ int write_rays(const Options& o, const Mesh& mesh) {
   return 0;
 }
 
-std::vector<std::string> command_of(const Options& o) {
+/// The words that make the same trial. Of the methods that were named, those that could be asked.
+std::vector<std::string> command_of(const Options& o, const std::vector<Method>& methods) {
   std::vector<std::string> words = {"leak", o.trial.mesh};
-  if (!o.methods.empty()) words.insert(words.end(), {"--method", o.methods});
+  std::string asked;
+  for (const Method& m : methods) {
+    if (takes_rays(m)) asked += (asked.empty() ? "" : ",") + m.name;
+  }
+  if (!o.methods.empty()) words.insert(words.end(), {"--method", asked});
   words.insert(words.end(), {"--format", o.format, "--seed", std::to_string(o.trial.seed)});
   if (o.rays > 0) words.insert(words.end(), {"--rays", std::to_string(o.rays)});
   if (o.every_face) words.emplace_back("--every-face");
   return words;
 }
 
-int run(const Options& o) {
+int run(Options o) {
   const Mesh mesh = triangulated(read_mesh(o.trial.mesh), o.trial.mesh);
   if (!o.rays_out.empty()) return write_rays(o, mesh);
   const std::vector<Method> methods = methods_of(o);
   if (loaded_meshes().empty() && std::ranges::none_of(methods, takes_rays))
     throw Failure(Exit::usage, "no method given that takes rays of triangles");
+  o.trial.command = command_of(o, methods);
   MeshTrial trial;
   for (const Format format : formats_of(o)) {
     const int signal = run_format(trial, o, mesh, methods, format);
@@ -164,10 +170,7 @@ Action declare_leak(Arguments& arguments) {
                    "directory for the rays of each format and the mesh that they are aimed at, as files; nobody is "
                    "asked: answer the rays where you are, and see `tribunal judge --mesh`");
   arguments.flag("--json", o->trial.json, "all counts as JSON instead of the table");
-  Action action = with_plugins(arguments, [o] {
-    o->trial.command = command_of(*o);
-    return run(*o);
-  });
+  Action action = with_plugins(arguments, [o] { return run(*o); });
   for (const char* other : {"--method", "--plugin", "--out", "--json"}) arguments.excludes("--rays-out", other);
   return action;
 }
