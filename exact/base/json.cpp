@@ -7,6 +7,7 @@
 #include <set>
 
 #include "exact/base/failure.h"
+#include "exact/base/scan.h"
 #include "exact/base/suggestion.h"
 
 namespace tribunal {
@@ -40,21 +41,6 @@ bool is_tiny(std::string_view hex_float) {
   return p != std::string_view::npos && hex_float.substr(p + 1).starts_with('-');
 }
 
-/// Parses the C99 form of a hex float. std::from_chars, which does not depend on the locale, takes no "0x", so sign and
-/// prefix are read here.
-bool parse_hex_float(std::string_view text, double& x) {
-  const bool negative = text.starts_with('-');
-  if (negative || text.starts_with('+')) text.remove_prefix(1);
-  if (!text.starts_with("0x") && !text.starts_with("0X")) return false;
-  text.remove_prefix(2);
-  if (text.empty() || text.front() == '-') return false;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x, std::chars_format::hex);
-  if (end != text.data() + text.size()) return false;
-  if (error == std::errc::result_out_of_range) x = is_tiny(text) ? 0 : std::numeric_limits<double>::infinity();
-  if (negative) x = -x;
-  return error == std::errc{} || error == std::errc::result_out_of_range;
-}
-
 /// A parser callback that fails on the second key of one name in an object; the parser itself keeps the last.
 Json::parser_callback_t refuse_duplicates(const Where& where) {
   return [where, open = std::vector<std::set<std::string>>()](int, Json::parse_event_t event, Json& parsed) mutable {
@@ -76,7 +62,7 @@ std::string with_signed_zeros(std::string_view text) {
     if (in_string && text[i] == '\\' && i + 1 < text.size()) result += text[++i];
     if (text[i] == '"') in_string = !in_string;
     const bool minus_zero = !in_string && text[i] == '0' && i > 0 && text[i - 1] == '-' &&
-                            (i < 2 || std::string_view("[,: \t").find(text[i - 2]) != std::string_view::npos);
+                            (i < 2 || std::string_view("[,: \t\r\n").find(text[i - 2]) != std::string_view::npos);
     if (minus_zero &&
         (i + 1 == text.size() || std::string_view(".eE0123456789").find(text[i + 1]) == std::string_view::npos)) {
       result += ".0";
@@ -115,6 +101,20 @@ std::string hex_float(double x) {
   char digits[40];
   const char* const end = std::to_chars(digits, digits + sizeof digits, std::fabs(x), std::chars_format::hex).ptr;
   return (std::signbit(x) ? "-0x" : "0x") + std::string(digits, static_cast<std::size_t>(end - digits));
+}
+
+/// std::from_chars, which does not depend on the locale, takes no "0x", so sign and prefix are read here.
+bool parse_hex_float(std::string_view text, double& x) {
+  const bool negative = text.starts_with('-');
+  if (negative || text.starts_with('+')) text.remove_prefix(1);
+  if (!text.starts_with("0x") && !text.starts_with("0X")) return false;
+  text.remove_prefix(2);
+  if (text.empty() || text.front() == '-') return false;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x, std::chars_format::hex);
+  if (end != text.data() + text.size()) return false;
+  if (error == std::errc::result_out_of_range) x = is_tiny(text) ? 0 : std::numeric_limits<double>::infinity();
+  if (negative) x = -x;
+  return error == std::errc{} || error == std::errc::result_out_of_range;
 }
 
 double to_number(const Json& value, Format format, const Where& where) {
