@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "exact/base/failure.h"
+#include "exact/base/shown.h"
 
 namespace tribunal {
 namespace {
@@ -93,7 +94,7 @@ void make_directory(const std::string& path) {
   if (error || !fs::is_directory(path)) throw output_failed(path, error ? error.value() : ENOTDIR);
 }
 
-void print(std::string_view text) { write_all(stdout, text, "standard output"); }
+void print(std::string_view text) { write_all(stdout, shown_lines(text), "standard output"); }
 
 void require_different(const std::string& input, const std::string& output) {
   std::error_code ignored;

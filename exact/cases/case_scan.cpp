@@ -183,7 +183,7 @@ bool scan_case(std::string_view line, Case& c) { return CaseScanner(line, c).rea
 void read_case(std::string_view line, const std::string& path, std::size_t number, Case& c) {
   if (scan_case(line, c)) return;
   const Where where{path, number};
-  c = to_case(parse_json(line, where), where);
+  c = to_case(parse_json(line, where, Beyond::infinite), where);
 }
 
 }  // namespace tribunal

@@ -1,6 +1,7 @@
 // Writes a certificate as Markdown.
 #include <map>
 
+#include "exact/base/shown.h"
 #include "exact/certificate/bounds.h"
 #include "exact/certificate/report_parts.h"
 
@@ -159,13 +160,18 @@ std::string own_section(const Certificate& c) {
   return text + "\nWhere it was wrong:\n\n" + worst_classes(c, true) + "\n";
 }
 
+std::string nonfinite_section(const Certificate& c) {
+  std::string text =
+      "## Your cases with numbers that are not finite\n\nThey have no answer, and are to be refused.\n\n";
+  for (const NonfiniteRow& row : c.nonfinite) text += "- " + in_words(row) + "\n";
+  return text + "\n";
+}
+
 const char* coverage_word(const Certificate& c) { return c.coverage.has(Operands::polygons) ? "Polygons" : "Classes"; }
 
 std::string word(const Certificate& c, const char* key) { return c.plan[key]; }
 
-}  // namespace
-
-std::string to_markdown(const Certificate& c) {
+std::string markdown_of(const Certificate& c) {
   std::string text =
       "# " + c.method() + ": " + name_of(c.verdict) + (c.says_outcomes() ? "; " + c.worst() : "") + "\n\n";
   text += "Contract: " + in_words(c.contract) + ". Convention: " + std::string(name_of(c.contract.convention)) +
@@ -177,11 +183,16 @@ std::string to_markdown(const Certificate& c) {
   if (c.sampled_strata() > 0) text += sampled_section(c);
   if (!c.errors.empty()) text += errors_section(c);
   if (c.has_own()) text += own_section(c);
+  if (!c.nonfinite.empty()) text += nonfinite_section(c);
   text += "## Not covered\n\n" + gaps_list(c) + "\n";
   text += "## Calibration\n\n" + calibration_list(c) + "\n";
   text += "## Environment\n\n" + environment_list(c);
   return text + "\nEvery number above follows from `log.jsonl` (sha256 of its chain: " + c.log_head +
          "); `tribunal verify` makes them again.\n";
 }
+
+}  // namespace
+
+std::string to_markdown(const Certificate& c) { return markdown_of(with_texts(c, in_markdown)); }
 
 }  // namespace tribunal

@@ -16,6 +16,13 @@ inline const char* probes_word(bool of_rays) { return of_rays ? "ray" : "segment
 
 // --- words: report_words.cpp -----------------------------------------------------------------------------------------
 
+/// The certificate for people: each text in it, which is what a log says and may be anything, made by the door to a
+/// terminal or to Markdown. Of the counterexamples only the faults are left.
+Certificate with_texts(const Certificate& c, std::string (*door)(std::string_view));
+
+/// "binary64: 2 of 3 refused; 1 ANSWERED, the first is nan-1"
+std::string in_words(const NonfiniteRow& row);
+
 /// 0.0606 → "6.06 %"
 std::string percent_text(double rate);
 

@@ -1,4 +1,5 @@
 // Writes a certificate's summary for the terminal.
+#include "exact/base/shown.h"
 #include "exact/cases/families/aimed.h"
 #include "exact/certificate/bounds.h"
 #include "exact/certificate/report_parts.h"
@@ -35,9 +36,7 @@ std::string mesh_lines(const Certificate& c) {
   return text;
 }
 
-}  // namespace
-
-std::string to_summary(const Certificate& c) {
+std::string summary_of(const Certificate& c) {
   std::string text = c.method() + ": " + name_of(c.verdict) + "; " + c.worst() + "\n";
   for (const ProvedSet& s : c.proved) {
     text += (s.count.wrong == 0 ? "  proved   " : "  refuted  ") + s.name + ": " + std::to_string(s.count.wrong) +
@@ -52,6 +51,7 @@ std::string to_summary(const Certificate& c) {
     const Count own = c.own(format);
     if (own.asked > 0) text += "  own      " + std::string(name_of(format)) + ": " + with_breakdown(own) + "\n";
   }
+  for (const NonfiniteRow& row : c.nonfinite) text += "  not finite, " + in_words(row) + "\n";
   text += relation_lines(c) + errors_lines(c) + fault_lines(c, "  FAULT    ") + worst_line(c);
   text += (c.coverage.has(Operands::polygons) ? "  judged   " : "  classes  ") + coverage_text(c) + "\n";
   for (const Gap& g : c.gaps) {
@@ -59,5 +59,9 @@ std::string to_summary(const Certificate& c) {
   }
   return text;
 }
+
+}  // namespace
+
+std::string to_summary(const Certificate& c) { return summary_of(with_texts(c, shown)); }
 
 }  // namespace tribunal

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "exact/base/failure.h"
+#include "exact/base/shown.h"
 
 namespace tribunal {
 
@@ -139,6 +140,9 @@ Arguments CommandLine::add(const std::string& name, const std::string& summary, 
 
 std::optional<std::string> CommandLine::parse(const std::vector<std::string>& words) {
   CLI::App& app = parser_->app;
+  for (const std::string& word : words) {
+    if (!shows_as_it_is(word)) throw Failure(Exit::usage, "expected printable UTF-8, found \"" + word + "\"");
+  }
   try {
     app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // CLI11 takes the last word first
     return std::nullopt;

@@ -6,6 +6,7 @@
 
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
+#include "exact/base/shown.h"
 #include "exact/cases/families/aimed.h"
 #include "exact/certificate/certificate.h"
 #include "exact/certificate/verify.h"
@@ -92,10 +93,10 @@ struct VerifyOptions {
 
 int run_verify(const VerifyOptions& o) {
   const Verification v = verify(o.directory, o.rerun ? o.threads : 0);
-  for (const std::string& fault : v.faults) print(fault + "\n");
+  for (const std::string& fault : v.faults) print(shown(fault) + "\n");
   const Certificate& c = v.certificate;
-  print(std::string(v.faults.empty() ? "verified" : "NOT VERIFIED") + ": " + c.method() + " " + name_of(c.verdict) +
-        "; " + std::to_string(v.confirmed) + " of " + std::to_string(c.counterexamples.size()) +
+  print(std::string(v.faults.empty() ? "verified" : "NOT VERIFIED") + ": " + shown(c.method()) + " " +
+        name_of(c.verdict) + "; " + std::to_string(v.confirmed) + " of " + std::to_string(c.counterexamples.size()) +
         " counterexamples confirmed by exact arithmetic; " +
         (v.not_asked.empty() ? "asked again on " + std::to_string(v.asked_again) + " cases"
                              : "not asked again: " + v.not_asked) +

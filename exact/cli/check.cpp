@@ -3,6 +3,7 @@
 
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
+#include "exact/base/shown.h"
 #include "exact/base/spool.h"
 #include "exact/cases/case_blocks.h"
 #include "exact/cli/command.h"
@@ -36,7 +37,19 @@ struct Checked {
 
 std::string hit_or_miss(bool hit) { return hit ? "a hit" : "no hit"; }
 
+/// The same for a case with numbers that are not finite, which expects to be refused.
+void check_nonfinite(const Method& method, const Case& c, Score<std::string>& score) {
+  const Asked seen = try_ask(method, c.query);
+  ++score.checked;
+  if (!seen.fault && seen.answer.status == Status::nonfinite) return;
+  ++score.failed;
+  score.failures += shown(c.id) + "  " + method.name + ": expected nonfinite, found " +
+                    (seen.fault ? describe(seen.fault) : std::string(name_of(seen.answer.status))) + "\n";
+}
+
+/// Counts the case, and adds a line where the method does not answer as the file expects.
 void check(const Method& method, const Case& c, Score<std::string>& score) {
+  if (!is_finite(c.query)) return check_nonfinite(method, c, score);
   const Asked seen = try_ask(method, c.query);
   if (!seen.fault && (seen.answer.status != Status::ok || !takes(method, c.format))) {
     ++score.unanswered;
@@ -45,18 +58,20 @@ void check(const Method& method, const Case& c, Score<std::string>& score) {
   ++score.checked;
   if (!seen.fault && seen.answer.hit == *c.expect) return;
   ++score.failed;
-  score.failures += c.id + "  " + method.name + ": expected " + hit_or_miss(*c.expect) + ", found " +
+  score.failures += shown(c.id) + "  " + method.name + ": expected " + hit_or_miss(*c.expect) + ", found " +
                     (seen.fault ? describe(seen.fault) : hit_or_miss(seen.answer.hit)) + "\n";
 }
 
+bool expects(const Case& c) { return c.expect || !is_finite(c.query); }
+
 void check(const std::vector<Method>& methods, bool exact, const Case& c, Checked<std::string>& checked) {
   ++checked.cases;
-  checked.silent += c.expect ? 0 : 1;
+  checked.silent += expects(c) ? 0 : 1;
   checked.scores.resize(methods.size());
-  for (std::size_t m = 0; c.expect && m < methods.size(); ++m) check(methods[m], c, checked.scores[m]);
-  if (!exact) return;
+  for (std::size_t m = 0; expects(c) && m < methods.size(); ++m) check(methods[m], c, checked.scores[m]);
+  if (!exact || !is_finite(c.query)) return;
   if (const std::string mistake = mistaken_claim(c, exact_truth(c.query)); !mistake.empty()) {
-    checked.contradictions += c.id + "  THE FILE IS WRONG: " + mistake + "\n";
+    checked.contradictions += shown(c.id) + "  THE FILE IS WRONG: " + mistake + "\n";
   }
 }
 
@@ -98,7 +113,7 @@ int run(const Options& o) {
     const Score<Spool>& score = all.scores[m];
     if (score.checked == 0) {
       throw bad_input(o.file, 0,
-                      "nothing to check: no case has \"expect\" that " + methods[m].name + " answers");
+                      "nothing to check: no case expects anything that " + methods[m].name + " answers");
     }
     failed |= score.failed > 0;
     summaries += summary_of(methods[m], score);

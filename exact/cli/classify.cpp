@@ -19,6 +19,7 @@ struct Options {
 
 /// The method's answer, with the class where it can say it.
 Answer answer_to(const Method& method, const Query& query) {
+  if (!is_finite(query)) return refusal(Status::nonfinite);
   const bool classifies = method.classify && !query.bounds && query.operands() == Operands::triangles;
   return classifies ? method.classify(query.probe, query.triangle()) : method.ask(query);
 }

@@ -10,12 +10,20 @@
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
 #include "exact/base/fp_environment.h"
+#include "exact/base/shown.h"
 
 namespace tribunal {
 namespace {
 
+/// How long a line of an error may be. What ends with a whole case, for whoever wants to replay it, may be longer.
+constexpr std::size_t longest_line(Exit e) {
+  return e == Exit::disagreement || e == Exit::oracles_contradict ? std::size_t{1} << 20 : 1000;
+}
+
+/// The only way of a message to standard error.
 int fail(Exit exit, const std::string& line) {
-  std::fprintf(stderr, "%s%s\n", exit == Exit::bad_input ? "" : "tribunal: ", line.c_str());
+  const std::string text = shown_shortly(line, longest_line(exit));
+  std::fprintf(stderr, "%s%s\n", exit == Exit::bad_input ? "" : "tribunal: ", text.c_str());
   return code(exit);
 }
 

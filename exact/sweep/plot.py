@@ -358,7 +358,7 @@ def main():
         return
     save(thresholds_figure(record), os.path.join(sys.argv[2], "thresholds"))
     for axis in record["axes"]:
-        save(axis_figure(record, axis), os.path.join(sys.argv[2], "axis-" + axis["name"]))
+        save(axis_figure(record, axis), os.path.join(sys.argv[2], "axis-" + os.path.basename(axis["name"])))
 
 
 if __name__ == "__main__":

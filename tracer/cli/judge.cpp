@@ -81,7 +81,7 @@ Contract contract_of(const Options& o, bool any_bounds) {
 ChainedLog log_of(const Exam& exam, const AnswerSheet& sheet, const Contract& contract) {
   const Method method = method_of(sheet, contract);
   const bool triangles =
-      std::ranges::any_of(exam.truths, [](const Truth& t) { return t.operands() == Operands::triangles; });
+      std::ranges::any_of(exam.cases, [](const Case& c) { return c.query.operands() == Operands::triangles; });
   ChainedLog log;
   log_plan(log, method, triangles ? Operands::triangles : Operands::polygons, "the cases of a file", 0);
   Given given{.answer = [&](std::size_t i) { return sheet.answers[i]; }};
@@ -121,16 +121,20 @@ int run_cases(const Options& o) {
   std::vector<Certificate> all;
   std::string text;
   Count sum;
+  std::uint64_t answered = 0, nonfinite = 0;
   for (const AnswerSheet& sheet : read_answers(o.mesh.answers, exam)) {
     logs.push_back(log_of(exam, sheet, contract));
     all.push_back(certificate_from(logs.back().so_far(), o.mesh.answers));
     sum += all.back().own();
+    answered += all.back().all_nonfinite().answered;
+    nonfinite += all.back().all_nonfinite().refused;
     text += to_summary(all.back());
   }
-  if (sum.judged() == 0) throw bad_input(o.mesh.answers, 0, "no answer is \"ok\" and owed, nothing to judge");
+  if (sum.judged() + answered + nonfinite == 0)
+    throw bad_input(o.mesh.answers, 0, "no answer is \"ok\" and owed, nothing to judge");
   if (!o.mesh.trial.out.empty()) text += write_report(o.mesh.trial.out, logs, all);
   print(text);
-  return code(sum.wrong > 0 ? Exit::disagreement : Exit::ok);
+  return code(sum.wrong + answered > 0 ? Exit::disagreement : Exit::ok);
 }
 
 int run(const Options& o) {
