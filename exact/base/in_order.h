@@ -9,6 +9,7 @@
 #include <limits>
 #include <mutex>
 #include <string>
+#include <vector>
 
 #include "exact/base/interrupt.h"
 #include "exact/base/parallel.h"
@@ -21,7 +22,9 @@ namespace tribunal {
 /// reading, working or taking, is thrown here once all before it was taken, and nothing after it is. Fails with 128 +
 /// the signal, saying what is missing now, if a signal asked for an end.
 ///
-/// read(Item&) → whether there was one more; work(Item&, Result&); take(Result&).
+/// read(Item&) → whether there was one more; work(const Item&, Result&); take(Result&). Items and results are used again
+/// by their workers, which spares the memory's clearing: `read` overwrites what was there, and results are emptied by
+/// clear(), if they have that, else made anew.
 template <class Item, class Result, class Read, class Work, class Take>
 void run_in_order(unsigned threads, const std::string& missing, const Read& read, const Work& work, const Take& take) {
   std::mutex reading, taking;
@@ -30,9 +33,17 @@ void run_in_order(unsigned threads, const std::string& missing, const Read& read
   std::atomic<bool> ended{false};
   bool failed = false;  // by `taking`
 
-  const auto one_item = [&](std::size_t, unsigned) {
-    Item item;
-    Result result;
+  std::vector<Item> items(threads);
+  std::vector<Result> results(threads);
+
+  const auto one_item = [&](std::size_t, unsigned worker) {
+    Item& item = items[worker];
+    Result& result = results[worker];
+    if constexpr (requires { result.clear(); }) {
+      result.clear();
+    } else {
+      result = Result();
+    }
     std::exception_ptr failure;
     std::uint64_t turn = 0;
     {

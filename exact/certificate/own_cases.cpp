@@ -1,6 +1,6 @@
 #include "exact/certificate/own_cases.h"
 
-#include "exact/base/lines.h"
+#include "exact/certificate/budget.h"
 #include "exact/record/counterexample.h"
 #include "exact/record/errors_json.h"
 #include "exact/trial/exact_hit.h"

@@ -42,6 +42,11 @@ Answer owed_answer(const Method& method, const Query& query) {
 struct Answered {
   std::string lines{};
   bool any_fault = false;
+
+  void clear() {
+    lines.clear();
+    any_fault = false;
+  }
 };
 
 int run(const Options& o) {

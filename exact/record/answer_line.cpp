@@ -1,10 +1,11 @@
 #include "exact/record/answer_line.h"
 
-#include <limits>
+#include <initializer_list>
 
 #include "exact/base/fault.h"
 #include "exact/base/json.h"
 #include "exact/base/scan.h"
+#include "exact/base/shown.h"
 
 namespace tribunal {
 namespace {
@@ -46,14 +47,6 @@ Contact contact_at(const Json& object, const Where& where) {
                             "\"");
 }
 
-/// A number as cases have them, or one that is none: a method may have computed it.
-double number_at(const Json& value, const Where& where) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  if (value == "nan") return std::numeric_limits<double>::quiet_NaN();
-  if (value == "inf" || value == "-inf") return value == "inf" ? infinity : -infinity;
-  return to_number(value, Format::binary64, where);
-}
-
 /// "t", and with it "weights": those of b and c.
 std::optional<HitAt> numbers_at(const Json& object, const Where& where) {
   if (!object.contains("t")) {
@@ -61,12 +54,12 @@ std::optional<HitAt> numbers_at(const Json& object, const Where& where) {
     return std::nullopt;
   }
   if (object.value("hit", Json()) != 1) where.key("t").fail("given of what is no hit");
-  HitAt at{.t = number_at(object["t"], where.key("t"))};
+  HitAt at{.t = to_any_number(object["t"], Format::binary64, where.key("t"))};
   if (!object.contains("weights")) return at;
   const Json& weights = object["weights"];
   if (!weights.is_array() || weights.size() != 2) where.key("weights").fail("expected those of b and c, two numbers");
-  at.weights = BarycentricWeights{number_at(weights[0], where.key("weights").index(0)),
-                                  number_at(weights[1], where.key("weights").index(1))};
+  at.weights = BarycentricWeights{to_any_number(weights[0], Format::binary64, where.key("weights").index(0)),
+                                  to_any_number(weights[1], Format::binary64, where.key("weights").index(1))};
   return at;
 }
 
@@ -159,7 +152,7 @@ class AnswerScanner {
       case id:
         return text(given_.id);
       case method:
-        return text(given_.method);
+        return text(given_.method) && is_name(given_.method);
       case hit:
         return s_.bit(given_.answer.hit);
       case status:
@@ -208,7 +201,7 @@ class AnswerScanner {
 GivenAnswer to_given_answer(const Json& object, const Where& where) {
   GivenAnswer given{.answer = to_answer(object, where)};
   given.id = text_at(object, "id", where);
-  given.method = object.contains("method") ? text_at(object, "method", where) : "answers";
+  given.method = object.contains("method") ? name_at(object, "method", where) : "answers";
   given.numbers = numbers_at(object, where);
   return given;
 }
@@ -218,7 +211,7 @@ bool scan_answer(std::string_view line, GivenAnswer& given) { return AnswerScann
 void read_answer(std::string_view line, const std::string& path, std::size_t number, GivenAnswer& given) {
   if (scan_answer(line, given)) return;
   const Where where{path, number};
-  given = to_given_answer(parse_json(line, where), where);
+  given = to_given_answer(parse_json(line, where, Beyond::infinite), where);
 }
 
 }  // namespace tribunal
