@@ -22,8 +22,7 @@ void write_file(const std::string& path, std::string_view bytes);
 /// Creates the directory and its parents. Fails with Exit::output_failed.
 void make_directory(const std::string& path);
 
-/// Writes to standard output and checks that it arrived. Fails with Exit::output_failed. The only way there: what does
-/// not show as it is goes out as an escape, which is the same text to readers of JSON.
+/// Writes to standard output and checks that it arrived. Fails with Exit::output_failed.
 void print(std::string_view text);
 
 /// Fails with Exit::usage if the two paths name the same existing file.

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "exact/base/failure.h"
+#include "exact/base/foreign_json.h"
 #include "exact/base/scan.h"
 #include "exact/base/shown.h"
 #include "exact/base/suggestion.h"
@@ -48,6 +49,9 @@ bool is_tiny(std::string_view hex_float) {
   const std::size_t p = hex_float.find_first_of("pP");
   return p != std::string_view::npos && hex_float.substr(p + 1).starts_with('-');
 }
+
+/// What becomes of a number like 1e999, beyond binary64: the text is refused, or the number is infinite.
+enum class Beyond { refused, infinite };
 
 // --- what the parser would misread --------------------------------------------------------------------------------
 
@@ -181,6 +185,26 @@ Point3 three_numbers(const Json& value, Format format, const Where& where, const
           read(value[2], format, where.index(2))};
 }
 
+Json parsed(std::string_view given, const Where& where, Beyond beyond) {
+  if (given.starts_with(byte_order_mark)) {
+    if (where.line > 1) where.fail("a byte-order mark, expected none but at the start of the file");
+    given.remove_prefix(byte_order_mark.size());
+  }
+  const auto [text, infinite] = readable(given, beyond);
+  if (depth_of(text) > max_depth) where.fail("nested deeper than " + std::to_string(max_depth) + " levels");
+  try {
+    return Json::parse(text, callback(where, infinite));
+  } catch (const nlohmann::json::parse_error& e) {
+    Where at = where;
+    if (at.line == 0)
+      at.line =
+          1 + static_cast<std::size_t>(std::count(text.begin(), text.begin() + std::min(e.byte, text.size()), '\n'));
+    at.fail(std::string("not valid JSON: ") + after_tag(e.what()));
+  } catch (const nlohmann::json::exception& e) {
+    where.fail(std::string("not valid JSON: ") + after_tag(e.what()));
+  }
+}
+
 }  // namespace
 
 Where Where::key(std::string_view name) const {
@@ -239,25 +263,9 @@ Point3 to_any_point(const Json& value, Format format, const Where& where) {
 
 Json from_point(const Point3& p) { return Json::array({hex_float(p.x), hex_float(p.y), hex_float(p.z)}); }
 
-Json parse_json(std::string_view given, const Where& where, Beyond beyond) {
-  if (given.starts_with(byte_order_mark)) {
-    if (where.line > 1) where.fail("a byte-order mark, expected none but at the start of the file");
-    given.remove_prefix(byte_order_mark.size());
-  }
-  const auto [text, infinite] = readable(given, beyond);
-  if (depth_of(text) > max_depth) where.fail("nested deeper than " + std::to_string(max_depth) + " levels");
-  try {
-    return Json::parse(text, callback(where, infinite));
-  } catch (const nlohmann::json::parse_error& e) {
-    Where at = where;
-    if (at.line == 0)
-      at.line =
-          1 + static_cast<std::size_t>(std::count(text.begin(), text.begin() + std::min(e.byte, text.size()), '\n'));
-    at.fail(std::string("not valid JSON: ") + after_tag(e.what()));
-  } catch (const nlohmann::json::exception& e) {
-    where.fail(std::string("not valid JSON: ") + after_tag(e.what()));
-  }
-}
+Json parse_json(std::string_view text, const Where& where) { return parsed(text, where, Beyond::refused); }
+
+Json parse_json_beyond(std::string_view text, const Where& where) { return parsed(text, where, Beyond::infinite); }
 
 Json with_strings(const Json& value, std::string (*made)(std::string_view)) {
   if (value.is_string()) return made(value.get_ref<const std::string&>());

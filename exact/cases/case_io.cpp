@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "exact/base/failure.h"
+#include "exact/base/foreign_json.h"
 #include "exact/base/lines.h"
 #include "exact/cases/case_line.h"
 #include "exact/cases/case_scan.h"
@@ -157,7 +158,7 @@ void for_each_line_of(LineReader reader, const std::string& path,
                       const std::function<void(const Json& object, const Where& where)>& visit) {
   const auto read = [&](std::string_view line, std::size_t number) {
     const Where where{path, number};
-    visit(parse_json(line, where, Beyond::infinite), where);
+    visit(parse_json_beyond(line, where), where);
   };
   for (LineBlock block; next_block(reader, block);) block.for_each(path, read);
 }
@@ -180,7 +181,7 @@ std::vector<Case> cases_of(LineReader reader, const std::string& path, std::opti
     Case& c = cases.emplace_back();
     if (scan_case(line, c) && (!operands || c.query.operands() == *operands)) return;
     const Where where{path, number};
-    const Json object = parse_json(line, where, Beyond::infinite);
+    const Json object = parse_json_beyond(line, where);
     if (operands) require_operands(*operands, object, where);
     c = to_case(object, where);
   };

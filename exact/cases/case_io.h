@@ -23,8 +23,7 @@ struct Case {
   Json finding{};  ///< what a counterexample adds: passed on, not interpreted
 };
 
-/// One case, with "tri" or "rings". A key that the format does not have is an error, and so is a claim about the answer
-/// to a query with numbers that are not finite, which has none.
+/// One case, with "tri" or "rings". A key that the format does not have is an error.
 Case to_case(const Json& object, const Where& where);
 
 Json from_case(const Case& c);

@@ -3,6 +3,7 @@
 #include <bit>
 #include <cstdint>
 
+#include "exact/base/foreign_json.h"
 #include "exact/base/json.h"
 #include "exact/base/scan.h"
 #include "exact/classes/class_table.h"
@@ -183,7 +184,7 @@ bool scan_case(std::string_view line, Case& c) { return CaseScanner(line, c).rea
 void read_case(std::string_view line, const std::string& path, std::size_t number, Case& c) {
   if (scan_case(line, c)) return;
   const Where where{path, number};
-  c = to_case(parse_json(line, where, Beyond::infinite), where);
+  c = to_case(parse_json_beyond(line, where), where);
 }
 
 }  // namespace tribunal

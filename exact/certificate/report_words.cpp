@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <iterator>
 
+#include "exact/base/foreign_json.h"
 #include "exact/certificate/report_parts.h"
 
 namespace tribunal {

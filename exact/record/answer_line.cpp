@@ -3,6 +3,7 @@
 #include <initializer_list>
 
 #include "exact/base/fault.h"
+#include "exact/base/foreign_json.h"
 #include "exact/base/json.h"
 #include "exact/base/scan.h"
 #include "exact/base/shown.h"
@@ -211,7 +212,7 @@ bool scan_answer(std::string_view line, GivenAnswer& given) { return AnswerScann
 void read_answer(std::string_view line, const std::string& path, std::size_t number, GivenAnswer& given) {
   if (scan_answer(line, given)) return;
   const Where where{path, number};
-  given = to_given_answer(parse_json(line, where, Beyond::infinite), where);
+  given = to_given_answer(parse_json_beyond(line, where), where);
 }
 
 }  // namespace tribunal

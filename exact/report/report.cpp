@@ -7,6 +7,7 @@
 
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
+#include "exact/base/foreign_json.h"
 #include "exact/base/shown.h"
 #include "exact/cases/family_table.h"
 #include "exact/record/environment.h"

@@ -9,6 +9,7 @@
 
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
+#include "exact/base/foreign_json.h"
 #include "exact/base/fp_environment.h"
 #include "exact/cases/case_io.h"
 #include "exact/cases/families/draw.h"
@@ -38,7 +39,7 @@ TEST(Numbers, HexFloatsAndDecimalsAreReadExactly) {
 TEST(Numbers, WhatIsNotFiniteIsATokenOfCasesAlone) {
   constexpr double inf = std::numeric_limits<double>::infinity();
   const auto read = [](const std::string& json, Format format) {
-    return to_any_number(parse_json(json, {"test"}, Beyond::infinite), format, {"test"});
+    return to_any_number(parse_json_beyond(json, {"test"}), format, {"test"});
   };
   const std::string many(400, '1');
   for (const Format format : {Format::binary64, Format::binary32}) {
@@ -46,7 +47,7 @@ TEST(Numbers, WhatIsNotFiniteIsATokenOfCasesAlone) {
          {"\"inf\"", "\"+inf\"", "\"Infinity\"", "\"INF\"", "1e999", "1e309", "1.8e308", "1E+400", "\"0x1p+1024\"",
           "\"0x1.fffffffffffff8p+1023\"", "100000e99999999999999999999", "0.00001e999"}) {
       EXPECT_EQ(read(token, format), inf) << token;
-      EXPECT_THROW(to_number(parse_json(token, {"test"}, Beyond::infinite), format, {"test"}), Failure) << token;
+      EXPECT_THROW(to_number(parse_json_beyond(token, {"test"}), format, {"test"}), Failure) << token;
       EXPECT_THROW(read_number(token, format), Failure) << token;
     }
     EXPECT_EQ(read(many, format), inf);
@@ -73,8 +74,8 @@ TEST(Numbers, WhatIsNotFiniteIsATokenOfCasesAlone) {
 }
 
 TEST(Numbers, OfOneTextAreEachReadAsTheyStand) {
-  const Json value = parse_json(R"({"1e999":[-0, 1e999, "1e999 \" -0", -1e999, 0, {"-0":-0, "x":1E999}],"y":1.5e308})",
-                                {"test"}, Beyond::infinite);
+  const Json value = parse_json_beyond(
+      R"({"1e999":[-0, 1e999, "1e999 \" -0", -1e999, 0, {"-0":-0, "x":1E999}],"y":1.5e308})", {"test"});
   constexpr double inf = std::numeric_limits<double>::infinity();
   const Json& list = value["1e999"];
   EXPECT_TRUE(std::signbit(list[0].get<double>()) && list[0] == 0);

@@ -9,6 +9,7 @@
 
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
+#include "exact/base/foreign_json.h"
 #include "exact/base/json.h"
 #include "exact/base/scan.h"
 #include "exact/cases/case_io.h"
@@ -27,7 +28,7 @@ struct Reading {
 
 Reading by_library(std::string_view line) {
   try {
-    return {to_case(parse_json(line, {"f", 7}, Beyond::infinite), {"f", 7}), ""};
+    return {to_case(parse_json_beyond(line, {"f", 7}), {"f", 7}), ""};
   } catch (const Failure& f) {
     return {std::nullopt, f.what()};
   }

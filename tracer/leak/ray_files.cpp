@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "exact/base/failure.h"
+#include "exact/base/foreign_json.h"
 #include "exact/base/json.h"
 #include "exact/base/shown.h"
 #include "exact/cases/case_io.h"
