@@ -22,9 +22,9 @@ namespace tribunal {
 /// reading, working or taking, is thrown here once all before it was taken, and nothing after it is. Fails with 128 +
 /// the signal, saying what is missing now, if a signal asked for an end.
 ///
-/// read(Item&) → whether there was one more; work(const Item&, Result&); take(Result&). Items and results are used again
-/// by their workers, which spares the memory's clearing: `read` overwrites what was there, and results are emptied by
-/// clear(), if they have that, else made anew.
+/// read(Item&) → whether there was one more; work(const Item&, Result&); take(Result&). Items and results are used
+/// again by their workers, which spares the memory's clearing: `read` overwrites what was there, and results are
+/// emptied by clear(), if they have that, else made anew.
 template <class Item, class Result, class Read, class Work, class Take>
 void run_in_order(unsigned threads, const std::string& missing, const Read& read, const Work& work, const Take& take) {
   std::mutex reading, taking;

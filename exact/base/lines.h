@@ -54,8 +54,8 @@ class LineReader {
 
   explicit LineReader(Source source) : source_(std::move(source)) {}
 
-  /// The next lines: up to `most_lines` that are not blank, and no more once they have `enough_bytes`. False where there
-  /// are none left.
+  /// The next lines: up to `most_lines` that are not blank, and no more once they have `enough_bytes`. False where
+  /// there are none left.
   bool next(LineBlock& block, std::size_t most_lines, std::size_t enough_bytes);
 
  private:

@@ -80,8 +80,8 @@ bool Scanner::hex_float(double& value) {
   return read && at_ < end_ && *at_++ == '"';
 }
 
-/// A number by the grammar of JSON. m·10^e with m ≤ 2^53 and |e| ≤ 22 is one product or quotient of two doubles that are
-/// exact, and so is rounded once, correctly (W. D. Clinger, "How to read floating point numbers accurately", 1990,
+/// A number by the grammar of JSON. m·10^e with m ≤ 2^53 and |e| ≤ 22 is one product or quotient of two doubles that
+/// are exact, and so is rounded once, correctly (W. D. Clinger, "How to read floating point numbers accurately", 1990,
 /// doi:10.1145/93542.93557); std::from_chars, which rounds correctly too, reads all others. What it finds out of range
 /// is not for this scanner.
 bool Scanner::decimal(double& value) {
@@ -120,7 +120,8 @@ bool Scanner::decimal(double& value) {
   }
   if (count <= 19 && digits <= largest_whole && scale >= -largest_power && scale <= largest_power) {
     const auto whole = static_cast<double>(digits);
-    value = scale < 0 ? whole / powers[static_cast<std::size_t>(-scale)] : whole * powers[static_cast<std::size_t>(scale)];
+    value =
+        scale < 0 ? whole / powers[static_cast<std::size_t>(-scale)] : whole * powers[static_cast<std::size_t>(scale)];
     if (negative) value = -value;
     return true;
   }

@@ -1,8 +1,8 @@
 // A scanner for lines of JSON as programs write them: it reads a part of JSON, quickly, and knows where it cannot.
 //
-// Whoever scans a line gives up at the first thing that is not plain, and has the line read by parse_json: it alone says
-// what is legal, and what is wrong with what is not. So a scanner need not be complete, and has no messages; what it does
-// read must be what parse_json reads. tests/exact/scan_test.cpp holds the two against each other.
+// Whoever scans a line gives up at the first thing that is not plain, and has the line read by parse_json: it alone
+// says what is legal, and what is wrong with what is not. So a scanner need not be complete, and has no messages; what
+// it does read must be what parse_json reads. tests/exact/scan_test.cpp holds the two against each other.
 #pragma once
 
 #include <cstddef>

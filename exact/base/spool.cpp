@@ -87,7 +87,13 @@ std::string Spool::at(std::uint64_t offset, std::size_t size) const {
 }
 
 void Spool::for_each_piece(const std::function<void(std::string_view)>& visit) const {
-  for (std::uint64_t offset = 0; offset < size(); offset += piece_size) visit(at(offset, piece_size));
+  for (std::uint64_t offset = 0; offset < size();) {
+    std::string piece = at(offset, piece_size);
+    const std::size_t newline = piece.rfind('\n');
+    if (offset + piece.size() < size() && newline != std::string::npos) piece.resize(newline + 1);
+    visit(piece);
+    offset += piece.size();
+  }
 }
 
 }  // namespace tribunal

@@ -30,7 +30,8 @@ class Spool {
   /// Several threads may read, while none writes.
   std::string at(std::uint64_t offset, std::size_t size) const;
 
-  /// Calls `visit` with all of the text, piece by piece.
+  /// Calls `visit` with all of the text, piece by piece. A piece ends with a line, but where a line has no end within
+  /// 256 KiB.
   void for_each_piece(const std::function<void(std::string_view)>& visit) const;
 
  private:

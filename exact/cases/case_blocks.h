@@ -19,9 +19,9 @@ struct ManyCases {
   std::string missing{};  ///< what there is none of if a signal ends the work: "no answers written"
 };
 
-/// Reads the cases and has each block's worked on by one of the threads: work(const Case&, number of its line, Result&).
-/// The results, one a block, are taken in order. Fails with Exit::bad_input at the first line that is wrong, after the
-/// results before its block were taken; and if there is no case.
+/// Reads the cases and has each block's worked on by one of the threads: work(const Case&, number of its line,
+/// Result&). The results, one a block, are taken in order. Fails with Exit::bad_input at the first line that is wrong,
+/// after the results before its block were taken; and if there is no case.
 template <class Result, class Work, class Take>
 void for_each_case(LineReader reader, const std::string& path, const ManyCases& how, const Work& work,
                    const Take& take) {

@@ -11,7 +11,17 @@
 namespace tribunal {
 namespace {
 
-enum Key : unsigned { id = 1, fmt = 2, seg = 4, ray = 8, tri = 16, rings = 32, expect = 64, class_ = 128, source = 256 };
+enum Key : unsigned {
+  id = 1,
+  fmt = 2,
+  seg = 4,
+  ray = 8,
+  tri = 16,
+  rings = 32,
+  expect = 64,
+  class_ = 128,
+  source = 256
+};
 
 unsigned key_named(std::string_view name) {
   constexpr struct {

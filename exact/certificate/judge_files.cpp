@@ -87,9 +87,9 @@ void refuse_same_ids(const Rereadable& cases, const SameId& same) {
         first = c.id;
         first_line = at;
       } else if (c.id == first) {
-        throw bad_input(cases.path(), at,
-                        "id \"" + first + "\" again, it was on line " + std::to_string(first_line) +
-                            "; expected one case an id");
+        throw bad_input(
+            cases.path(), at,
+            "id \"" + first + "\" again, it was on line " + std::to_string(first_line) + "; expected one case an id");
       }
     });
   }
@@ -214,8 +214,8 @@ class SideBySide {
 
 // --- in any order ----------------------------------------------------------------------------------------------------
 
-/// The answers of one method, each in two bytes, with numbers where it gives any. A method with few answers has no place
-/// for all, so that many methods take no more than their answers are.
+/// The answers of one method, each in two bytes, with numbers where it gives any. A method with few answers has no
+/// place for all, so that many methods take no more than their answers are.
 class Sheet {
  public:
   Sheet(std::string name, std::size_t cases) : name_(std::move(name)), cases_(cases) {}

@@ -35,9 +35,9 @@ struct OwnCounts {
     HitErrors errors{};
   };
 
-  std::array<Part, 4> parts{};                ///< triangles, polygons; of each binary64, binary32
-  std::array<NonfiniteRow, 2> nonfinite{};    ///< binary64, binary32
-  bool gives_numbers = false;                 ///< with any hit
+  std::array<Part, 4> parts{};                   ///< triangles, polygons; of each binary64, binary32
+  std::array<NonfiniteRow, 2> nonfinite{};       ///< binary64, binary32
+  bool gives_numbers = false;                    ///< with any hit
   std::map<std::pair<Rank, int>, Text> wrong{};  ///< counterexamples by rank and part: one line each
 };
 

@@ -102,9 +102,7 @@ int run(const Options& o) {
   const std::vector<Method> methods = methods_named(o.methods);
   Checked<Spool> all;
   for (std::size_t m = 0; m < methods.size(); ++m) all.scores.emplace_back();
-  const auto work = [&](const Case& c, std::size_t, Checked<std::string>& block) {
-    check(methods, o.exact, c, block);
-  };
+  const auto work = [&](const Case& c, std::size_t, Checked<std::string>& block) { check(methods, o.exact, c, block); };
   for_each_case<Checked<std::string>>(o.file, {o.threads, "nothing was checked"}, work,
                                       [&](const Checked<std::string>& block) { add(all, block); });
   bool failed = all.contradictions.size() > 0;
@@ -112,8 +110,7 @@ int run(const Options& o) {
   for (std::size_t m = 0; m < methods.size(); ++m) {
     const Score<Spool>& score = all.scores[m];
     if (score.checked == 0) {
-      throw bad_input(o.file, 0,
-                      "nothing to check: no case expects anything that " + methods[m].name + " answers");
+      throw bad_input(o.file, 0, "nothing to check: no case expects anything that " + methods[m].name + " answers");
     }
     failed |= score.failed > 0;
     summaries += summary_of(methods[m], score);

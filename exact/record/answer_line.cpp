@@ -130,9 +130,9 @@ class AnswerScanner {
     static constexpr struct {
       std::string_view name;
       unsigned key;
-    } table[] = {{"id", id},           {"method", method}, {"hit", hit},      {"status", status}, {"contact", contact},
-                 {"side", side},       {"t", t},           {"weights", weights}, {"class", 256},     {"at", 512},
-                 {"stage", 1024},      {"planar", 2048},   {"detail", 4096}};
+    } table[] = {{"id", id},      {"method", method}, {"hit", hit},         {"status", status}, {"contact", contact},
+                 {"side", side},  {"t", t},           {"weights", weights}, {"class", 256},     {"at", 512},
+                 {"stage", 1024}, {"planar", 2048},   {"detail", 4096}};
     for (const auto& row : table) {
       if (row.name == name) return row.key;
     }
@@ -157,7 +157,8 @@ class AnswerScanner {
       case hit:
         return s_.bit(given_.answer.hit);
       case status:
-        return s_.text(word) && is_named(word, {Status::ok, Status::nonfinite, Status::unsupported}, given_.answer.status);
+        return s_.text(word) &&
+               is_named(word, {Status::ok, Status::nonfinite, Status::unsupported}, given_.answer.status);
       case contact:
         return s_.text(contact_);
       case side:

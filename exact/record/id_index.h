@@ -11,8 +11,8 @@
 
 namespace tribunal {
 
-/// A fingerprint of an id: 96 bits in which two ids of a file of 5 million agree by chance once in 10^16 files. Where two
-/// ids of a case file agree, the file is read again and the ids themselves are compared.
+/// A fingerprint of an id: 96 bits in which two ids of a file of 5 million agree by chance once in 10^16 files. Where
+/// two ids of a case file agree, the file is read again and the ids themselves are compared.
 struct Fingerprint {
   std::uint64_t high = 0;
   std::uint32_t low = 0;

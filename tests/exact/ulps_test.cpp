@@ -7,11 +7,11 @@
 #include <limits>
 
 #include "exact/cases/family_table.h"
+#include "exact/certificate/judge_files.h"
 #include "exact/certificate/verify.h"
 #include "exact/methods/methods.h"
 #include "exact/record/checkpoint.h"
 #include "exact/record/errors_json.h"
-#include "exact/certificate/judge_files.h"
 #include "exact/trial/exact_hit.h"
 #include "tests/exact/certificate_support.h"
 #include "tests/exact/exact_parameter.h"
