@@ -8,6 +8,7 @@
 #include "exact/base/failure.h"
 #include "exact/base/interrupt.h"
 #include "exact/base/progress.h"
+#include "exact/base/shown.h"
 #include "exact/certificate/certificate.h"
 #include "exact/certificate/own_cases.h"
 #include "exact/methods/methods.h"
@@ -211,7 +212,7 @@ std::vector<Truth> truths_of(const std::vector<Case>& cases, const std::string& 
     truths.push_back(is_finite(own.query) ? exact_truth(own.query) : Truth{});
     if (!is_finite(own.query)) continue;
     const std::string error = mistaken_claim(own, truths.back());
-    if (!error.empty()) throw bad_input(file, 0, own.id + ": " + error);
+    if (!error.empty()) throw bad_input(file, 0, shown(own.id) + ": " + error);
   }
   return truths;
 }

@@ -6,6 +6,7 @@
 
 #include "exact/base/failure.h"
 #include "exact/base/progress.h"
+#include "exact/base/shown.h"
 #include "exact/cases/case_blocks.h"
 #include "exact/record/answer_line.h"
 #include "exact/record/counterexample.h"
@@ -50,7 +51,7 @@ Truth truth_of(const Case& c, const std::string& path, std::size_t line) {
   if (!is_finite(c.query)) return {};
   const Truth truth = exact_truth(c.query);
   const std::string error = mistaken_claim(c, truth);
-  if (!error.empty()) throw bad_input(path, line, c.id + ": " + error);
+  if (!error.empty()) throw bad_input(path, line, shown(c.id) + ": " + error);
   return truth;
 }
 
@@ -87,9 +88,9 @@ void refuse_same_ids(const Rereadable& cases, const SameId& same) {
         first = c.id;
         first_line = at;
       } else if (c.id == first) {
-        throw bad_input(
-            cases.path(), at,
-            "id \"" + first + "\" again, it was on line " + std::to_string(first_line) + "; expected one case an id");
+        throw bad_input(cases.path(), at,
+                        "id \"" + shown(first) + "\" again, it was on line " + std::to_string(first_line) +
+                            "; expected one case an id");
       }
     });
   }
@@ -351,13 +352,13 @@ class ByIndex {
 
   void place(const PlacedAnswer& a) {
     if (!a.number) {
-      throw bad_input(answers_.path(), a.line, "answers \"" + a.given.id + "\", which is no case's id");
+      throw bad_input(answers_.path(), a.line, "answers \"" + shown(a.given.id) + "\", which is no case's id");
     }
     const auto [at, fresh] = by_name_.try_emplace(a.given.method, sheets_.size());
     if (fresh) sheets_.emplace_back(a.given.method, index_.size());
     if (sheets_[at->second].add(*a.number, a.given.answer, a.given.numbers)) return;
     throw bad_input(answers_.path(), a.line,
-                    "a second answer of " + a.given.method + " to \"" + a.given.id + "\", expected one");
+                    "a second answer of " + a.given.method + " to \"" + shown(a.given.id) + "\", expected one");
   }
 
   void require_all() const {
@@ -366,7 +367,7 @@ class ByIndex {
       if (!first) continue;
       throw bad_input(answers_.path(), 0,
                       std::to_string(index_.size() - sheet.answered()) + " of " + std::to_string(index_.size()) +
-                          " answers of " + sheet.name() + " are missing, the first to \"" + id_of(*first) +
+                          " answers of " + sheet.name() + " are missing, the first to \"" + shown(id_of(*first)) +
                           "\"; expected one for each case");
     }
   }

@@ -2,6 +2,7 @@
 
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
+#include "exact/base/shown.h"
 #include "exact/cli/command.h"
 #include "exact/methods/methods.h"
 #include "exact/record/counterexample.h"
@@ -34,9 +35,10 @@ int run_replay(const ReplayOptions& o) {
 /// The method that a case is a counterexample to: named in its finding, or given.
 const Method& method_of(const Case& c, const std::string& given, const std::string& file) {
   const std::string name = !given.empty() ? given : c.finding.is_object() ? c.finding.value("method", "") : "";
-  if (name.empty()) throw Failure(Exit::usage, file + ": " + c.id + " names no method, expected --method");
+  if (name.empty()) throw Failure(Exit::usage, file + ": " + shown(c.id) + " names no method, expected --method");
   const Method* method = find_method(name);
-  if (method == nullptr) throw Failure(Exit::usage, file + ": " + c.id + " names an unknown method, " + name);
+  if (method == nullptr)
+    throw Failure(Exit::usage, file + ": " + shown(c.id) + " names an unknown method, " + shown(name));
   return *method;
 }
 

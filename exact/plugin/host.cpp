@@ -5,10 +5,12 @@
 #include <tuple>
 
 #include "exact/base/fp_environment.h"
+#include "exact/base/shown.h"
 #include "exact/plugin/calls.h"
 #include "exact/plugin/description.h"
 #include "exact/plugin/library.h"
 #include "exact/plugin/mesh_calls.h"
+#include "exact/plugin/without_exceptions.h"
 
 namespace tribunal {
 namespace {

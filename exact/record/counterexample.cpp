@@ -246,7 +246,7 @@ Case shrunk(Case c, const Method& method) {
   const Truth truth = exact_truth(c.query);
   const Asked seen = observe(method, c.query, blames_a_fault(c.finding) ? times_for_known_fault : 1);
   if (!seen.fault && !is_wrong(judge(method, truth, seen.answer))) {
-    throw Failure(Exit::bad_input, c.id + ": " + method.name + " answers it rightly, expected a counterexample");
+    throw Failure(Exit::bad_input, shown(c.id) + ": " + method.name + " answers it rightly, expected a counterexample");
   }
   const Json origin = c.finding.is_object() ? c.finding.value("origin", Json()) : Json();
   c = seen.fault ? with_fault(std::move(c), method, truth, seen.fault) : with_shrunk_finding(std::move(c), method);

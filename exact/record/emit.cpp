@@ -220,7 +220,7 @@ std::string emit(const std::vector<Case>& cases, std::string_view language, cons
   std::string left_out;
   for (const Case& c : cases) {
     if (c.query.operands() != Operands::triangles)
-      throw bad_input(file, 0, c.id + " is of a polygon, expected triangles");
+      throw bad_input(file, 0, shown(c.id) + " is of a polygon, expected triangles");
     if (!is_finite(c.query)) {
       const std::string why = as_comment(c.id + ": no test, a number is not finite");
       left_out += language == "python" ? "# " + why + "\n" : "/* " + why + " */\n";

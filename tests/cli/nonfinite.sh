@@ -28,7 +28,7 @@ for name, question in questions.items():
         finite.append({"id": f"finite-{name}-{fmt}", "fmt": fmt, **question})
         for i, token in enumerate(tokens):
             for n in range(len(list(numbers(question)))):
-                if name == "within" and n == 7 and token == '"+Infinity"':
+                if name == "within" and n == 7 and token in ('"inf"', '"+Infinity"'):
                     continue  # no bound
                 changed = copy.deepcopy(question)
                 place, key = list(numbers(changed))[n]

@@ -1,5 +1,6 @@
 # Untrusted text through every field of every command: what reaches the terminal, Markdown and HTML of it.
-# usage: untrusted.py PROGRAM PLUGIN RESULTS…, in an empty directory; exits with 1 and says where something got through.
+# usage: untrusted.py EVERY PROGRAM PLUGIN RESULTS…, in an empty directory; exits with 1 and says where something got
+# through. Of all runs, one in EVERY is made: 1 is the long form.
 import copy
 import hashlib
 import json
@@ -8,7 +9,7 @@ import re
 import subprocess
 import sys
 
-program = sys.argv[1]
+every, program = int(sys.argv[1]), sys.argv[2]
 
 TAG = "<script>alert(1)</script>"
 EVERYTHING = ("\x1b[31mred\x1b]0;title\x07\nFORGED: line\r\x00\x7f\u009b31m\u202egnp.exe\u2066\u2028\ufeff" + TAG +
@@ -18,11 +19,13 @@ HOSTILE = [EVERYTHING, EVERYTHING + "w" * 10_000, "plain\nFORGED: line"]
 ON_COMMAND_LINE = [h.replace("\x00", "") for h in HOSTILE] + ["\udcff\udcc3(latin\udce9"]
 
 HIDDEN = re.compile("[\x00-\x09\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ufeff]")
-problems, runs = [], 0
+problems, runs, turns = [], 0, 0
 
 
 def complain(where, what):
-    problems.append(f"{where}: {what}")
+    problems.append(where)
+    if len(problems) <= 40:
+        print(f"{where}: {what}", file=sys.stderr, flush=True)
 
 
 def look_at(where, name, data):
@@ -50,10 +53,19 @@ def look_at_files(where, directory):
                 complain(where, f"{name} holds markup")
 
 
-def run(where, *arguments, out=None):
-    """Runs the program and looks at all it says; of an error, at its one line."""
-    global runs
+def is_due():
+    global runs, turns
+    turns += 1
+    if turns % every:
+        return False
     runs += 1
+    return True
+
+
+def run(where, *arguments, out=None):
+    """Runs the program and looks at all it says; of an error, at its one line. None if it is not due."""
+    if not is_due():
+        return None
     done = subprocess.run([program, *arguments], capture_output=True, stdin=subprocess.DEVNULL, timeout=120)
     where = f"{arguments[0]}, {where}"
     said, error = look_at(where, "standard output", done.stdout), look_at(where, "standard error", done.stderr)
@@ -166,11 +178,11 @@ def try_answers():
             for path, changed in variants(answer, text):
                 write("answers.jsonl", lines([changed]))
                 code = run(f"{path} of an answer is text {number}", "judge", "--cases", "case.jsonl", "--answers", "answers.jsonl", "--out", fresh("judged"), out="judged")
-                if path[0] == "method" and code != 3:
+                if path[0] == "method" and code not in (None, 3):
                     complain("judge", f"a method's name is text {number}: exit {code}, expected 3")
     for name in ("", "2fast", "a b", "a/b", "naïve", "<b>", "a|b", "a" * 33):
         write("answers.jsonl", lines([{"id": "a", "method": name, "hit": 1}]))
-        if run(f"a method's name is {name!r}", "judge", "--cases", "case.jsonl", "--answers", "answers.jsonl") != 3:
+        if run(f"a method's name is {name!r}", "judge", "--cases", "case.jsonl", "--answers", "answers.jsonl") not in (None, 3):
             complain("judge", f"the method's name {name!r} is taken")
 
 
@@ -237,8 +249,8 @@ def try_command_lines():
 
 
 def check_usage(where, arguments):
-    global runs
-    runs += 1
+    if not is_due():
+        return
     done = subprocess.run([os.fsencode(program), *arguments], capture_output=True, stdin=subprocess.DEVNULL, timeout=60)
     look_at(where, "standard error", done.stderr)
     if done.returncode != 2 or done.stderr.count(b"\n") != 1 or done.stdout or len(done.stderr) > 1200:
@@ -284,7 +296,7 @@ def try_logs():
     case = {k: CASE[k] for k in ("id", "seg", "tri")}
     write("case.jsonl", lines([case, {"id": "b", "seg": [["inf", 0, 0], [0, 0, 0]], "tri": TRIANGLE}]))
     write("answers.jsonl", lines([{"id": "a", "method": "mine", "status": "failed", "fault": "threw", "detail": "d"}, {"id": "b", "method": "mine", "hit": 1}]))
-    assert run("as it should be", "judge", "--cases", "case.jsonl", "--answers", "answers.jsonl", "--out", fresh("log")) == 1
+    subprocess.run([program, "judge", "--cases", "case.jsonl", "--answers", "answers.jsonl", "--out", fresh("log")], capture_output=True)
     records = [json.loads(line) for line in open("log/log.jsonl")][:-1]
     for r in records:
         del r["sha256"]
@@ -342,12 +354,11 @@ def try_plugin(library):
 
 
 if __name__ == "__main__":
-    library, results = sys.argv[2], sys.argv[3:]
+    library, results = sys.argv[3], sys.argv[4:]
     for part in (try_cases, try_answers, try_meshes, try_scenes, try_command_lines, try_logs):
         part()
     try_results(results)
+    every = 1
     try_plugin(library)
-    for problem in problems[:40]:
-        print(problem, file=sys.stderr)
     print(f"tried {runs}, broke {len(problems)}")
     sys.exit(1 if problems else 0)

@@ -9,7 +9,7 @@ ulimit -c 0
 ${CXX:-c++} -std=c++17 -O1 -shared -fPIC -I "$SOURCE_DIR" -DFAULT=throws_markup -o markup.so "$SOURCE_DIR/tests/plugin/faulty.cpp"
 expect 1 fuzz --method mt-float --count 2000 --keep 1 --out fuzzed
 expect 0 sweep --method mt-float --axis sliver --count 200 --out swept
-/usr/bin/python3 "$(dirname "$0")/untrusted.py" "$TRIBUNAL" ./markup.so fuzzed swept
+/usr/bin/python3 "$SOURCE_DIR/tests/cli/untrusted.py" 13 "$TRIBUNAL" ./markup.so fuzzed swept
 
 # A byte-order mark at the start of a file is no part of it, for every reader; elsewhere in it, it is an error.
 mark=$(printf '\xef\xbb\xbf')

@@ -43,23 +43,24 @@ TEST(Numbers, WhatIsNotFiniteIsATokenOfCasesAlone) {
   };
   const std::string many(400, '1');
   for (const Format format : {Format::binary64, Format::binary32}) {
-    for (const std::string token :
-         {"\"inf\"", "\"+inf\"", "\"Infinity\"", "\"INF\"", "1e999", "1e309", "1.8e308", "1E+400", "\"0x1p+1024\"",
-          "\"0x1.fffffffffffff8p+1023\"", "100000e99999999999999999999", "0.00001e999"}) {
+    for (const std::string& token : std::vector<std::string>{
+             "\"inf\"", "\"+inf\"", "\"Infinity\"", "\"INF\"", "1e999", "1e309", "1.8e308", "1E+400", "\"0x1p+1024\"",
+             "\"0x1.fffffffffffff8p+1023\"", "100000e99999999999999999999", "0.00001e999"}) {
       EXPECT_EQ(read(token, format), inf) << token;
       EXPECT_THROW(to_number(parse_json_beyond(token, {"test"}), format, {"test"}), Failure) << token;
       EXPECT_THROW(read_number(token, format), Failure) << token;
     }
     EXPECT_EQ(read(many, format), inf);
     EXPECT_EQ(read(many + ".5", format), inf);
-    for (const std::string token : {"\"-inf\"", "\"-infinity\"", "-1e999", "\"-0x1p+2000\""}) {
+    for (const std::string& token : std::vector<std::string>{"\"-inf\"", "\"-infinity\"", "-1e999", "\"-0x1p+2000\""}) {
       EXPECT_EQ(read(token, format), -inf) << token;
     }
-    for (const std::string token : {"\"nan\"", "\"NaN\"", "\"-nan\"", "\"+NAN\""}) {
+    for (const std::string& token : std::vector<std::string>{"\"nan\"", "\"NaN\"", "\"-nan\"", "\"+NAN\""}) {
       EXPECT_TRUE(std::isnan(read(token, format))) << token;
     }
-    for (const std::string token : {"0e999", "1e-999", "0.0e99999999999999999999", "1e-99999999999999999999",
-                                    "0." + std::string(400, '0') + "1e10"}) {
+    for (const std::string& token :
+         std::vector<std::string>{"0e999", "1e-999", "0.0e99999999999999999999", "1e-99999999999999999999",
+                                  "0." + std::string(400, '0') + "1e10"}) {
       EXPECT_EQ(read(token, format), 0) << token;
     }
     for (const char* token :
