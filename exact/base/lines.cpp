@@ -14,9 +14,10 @@ namespace {
 
 constexpr std::size_t read_size = std::size_t{1} << 18;
 
+/// A shared pointer calls it for no file too.
 struct Closer {
   void operator()(std::FILE* file) const {
-    if (file != stdin) std::fclose(file);
+    if (file != nullptr && file != stdin) std::fclose(file);
   }
 };
 
