@@ -4,6 +4,7 @@
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
 #include "exact/base/fp_environment.h"
+#include "exact/base/output.h"
 #include "exact/base/parallel.h"
 
 namespace tribunal {
