@@ -12,6 +12,7 @@
 
 #include "exact/base/failure.h"
 #include "exact/base/fp_environment.h"
+#include "exact/base/sudden_end.h"
 
 namespace tribunal {
 namespace {
@@ -41,6 +42,25 @@ void write_in_place(const std::string& path, std::string_view bytes, const std::
   if (!out) throw output_failed(name, errno);
   write_all(out.get(), bytes, name);
 }
+
+/// The temporary file that is being written, for a sudden end to remove; empty where there is none.
+char unfinished[4096];
+
+void remove_unfinished() noexcept {
+  if (unfinished[0] != 0) unlink(unfinished);
+}
+
+/// Holds the name of a temporary file in `unfinished`. A longer name is not kept: the system takes none.
+class Unfinished {
+ public:
+  explicit Unfinished(const std::string& path) {
+    if (path.size() < sizeof unfinished) std::memcpy(unfinished, path.c_str(), path.size() + 1);
+    before_sudden_end(remove_unfinished);
+  }
+  ~Unfinished() { unfinished[0] = 0; }
+  Unfinished(const Unfinished&) = delete;
+  Unfinished& operator=(const Unfinished&) = delete;
+};
 
 /// The name that the file has or would have, absolute, without links and "..".
 fs::path resolved(const std::string& path) {
@@ -78,6 +98,7 @@ void write_file(const std::string& path, std::string_view bytes) {
   if (path == "-") return print(bytes);
   if (is_special(path)) return write_in_place(path, bytes, path);
   const std::string temporary = path + ".tmp" + std::to_string(getpid());
+  const Unfinished known(temporary);
   try {
     write_in_place(temporary, bytes, path);
     std::error_code error;

@@ -16,8 +16,8 @@ std::string read_file(const std::string& path, std::size_t limit = std::size_t{1
 bool is_special(const std::string& path);
 
 /// Writes to a temporary name beside `path` and renames; "-" is standard output. Fails with Exit::output_failed; the
-/// message names `path`, not the temporary name. Like print, fails first where the floating-point environment has changed
-/// (fp_environment.h).
+/// message names `path`, not the temporary name. Like print, fails first where the floating-point environment has
+/// changed (fp_environment.h).
 void write_file(const std::string& path, std::string_view bytes);
 
 /// Creates the directory and its parents. Fails with Exit::output_failed.

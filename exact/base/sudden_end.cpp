@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <csignal>
 #include <cstddef>
 #include <cstdlib>
@@ -14,6 +15,7 @@ namespace tribunal {
 namespace {
 
 bool is_child = false;
+std::atomic<void (*)() noexcept> tidy_first{nullptr};
 
 [[noreturn]] void on_terminate() {
   if (std::current_exception()) {
@@ -44,6 +46,7 @@ extern "C" void on_trap(int signal, siginfo_t* info, void*) {
 }  // namespace
 
 void end_at_once(Exit exit, std::string_view line) noexcept {
+  if (const auto tidy = tidy_first.load()) tidy();
   constexpr std::string_view start = "tribunal: ";
   constexpr std::string_view over_progress = "\r\x1b[K";  // which may stand on a terminal's line
   char text[over_progress.size() + start.size() + 1000 + 1];
@@ -69,6 +72,8 @@ void become_child() {
   std::set_terminate(__gnu_cxx::__verbose_terminate_handler);
   std::signal(SIGFPE, SIG_DFL);
 }
+
+void before_sudden_end(void (*tidy)() noexcept) { tidy_first = tidy; }
 
 void end_without_memory() noexcept {
   if (is_child) _exit(child_lacked_memory);

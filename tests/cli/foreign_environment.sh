@@ -5,10 +5,10 @@
 source "$(dirname "$0")/common.bash"
 attempt() { python3 -B "$SOURCE_DIR/tests/faults/environment.py" --program "$TRIBUNAL" --source "$SOURCE_DIR" --scratch "$scratch" "$@"; }
 
-attempt --commands classify,fuzz-threads,render-threads,verify --when start,threads
-attempt --commands version,help,methods,cases,judge,check,shrink,replay,leak,sweep-map,report --changes x87-53,all,traps,c++locale --when start
-attempt --commands fuzz,render --changes up,daz,x87-24,traps,c++locale --when malloc --most "${MOST:-8}"
-attempt --commands fuzz --changes up,ftz,x87-24 --when timer --most 24
+attempt --commands fuzz-threads,render-threads --changes ftz,up,x87-53,traps,c++locale --when start,threads
+attempt --commands classify,verify --changes x87-53,all,traps --when start
+attempt --commands fuzz --changes up,x87-24,traps,c++locale --when malloc --most 5
+attempt --commands fuzz --changes up,x87-24 --when timer --most 18
 
 # A plugin that changes them: refused, or repaired where nothing was computed yet.
 cd "$scratch"
