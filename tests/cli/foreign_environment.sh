@@ -16,8 +16,9 @@ localedef -i de_DE -f UTF-8 "$scratch/de_DE.UTF-8"
 export LOCPATH=$scratch
 broken=$SOURCE_DIR/tests/plugin/broken.c
 try() { plugin broken "-D$1" "$broken"; shift; expect "$@" --plugin broken.so --method broken,mt-double --family affine --count 2000 --threads 2; }
-try PLAIN 1 fuzz && cp out plain
-try CHANGES_LOCALE 1 fuzz && diff plain out
-try WANTS_MEMORY 1 fuzz && diff plain out
+answers() { grep -v "cases, seed" out; } # that line has the time it took
+try PLAIN 1 fuzz && answers >plain
+try CHANGES_LOCALE 1 fuzz && diff plain <(answers)
+try WANTS_MEMORY 1 fuzz && diff plain <(answers)
 for change in CHANGES_PRECISION UNMASKS; do try $change 4 fuzz && says err 'broken.so: changed the rounding mode, precision or exceptions' && [ "$(wc -l <err)" -eq 1 ]; done
 try TRAPS 4 fuzz && says err 'exceptions trap' && [ "$(wc -l <err)" -eq 1 ]
