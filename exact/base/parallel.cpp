@@ -19,7 +19,7 @@ void begin_thread() {
 
 std::size_t run_blocks(std::size_t blocks, unsigned threads, const std::function<void(std::size_t, unsigned)>& work,
                        const std::function<bool()>& stop) {
-  watch_interrupts();
+  const OrderlyEnd orderly;
   std::atomic<std::size_t> next{0};
   std::atomic<bool> halt{false};
   std::exception_ptr error;

@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <csignal>
 #include <cstddef>
 #include <cstdlib>
@@ -11,11 +10,12 @@
 #include <new>
 #include <system_error>
 
+#include "exact/base/temporaries.h"
+
 namespace tribunal {
 namespace {
 
 bool is_child = false;
-std::atomic<void (*)() noexcept> tidy_first{nullptr};
 
 [[noreturn]] void on_terminate() {
   if (std::current_exception()) {
@@ -46,7 +46,7 @@ extern "C" void on_trap(int signal, siginfo_t* info, void*) {
 }  // namespace
 
 void end_at_once(Exit exit, std::string_view line) noexcept {
-  if (const auto tidy = tidy_first.load()) tidy();
+  remove_temporaries();
   constexpr std::string_view start = "tribunal: ";
   constexpr std::string_view over_progress = "\r\x1b[K";  // which may stand on a terminal's line
   char text[over_progress.size() + start.size() + 1000 + 1];
@@ -72,8 +72,6 @@ void become_child() {
   std::set_terminate(__gnu_cxx::__verbose_terminate_handler);
   std::signal(SIGFPE, SIG_DFL);
 }
-
-void before_sudden_end(void (*tidy)() noexcept) { tidy_first = tidy; }
 
 void end_without_memory() noexcept {
   if (is_child) _exit(child_lacked_memory);

@@ -8,12 +8,9 @@
 
 namespace tribunal {
 
-/// Writes `tribunal: line` to standard error by one call of write(2) and ends the process with the exit code. No
-/// destructor runs, and nothing that waits in a buffer is written. Lines are cut at 1000 bytes.
+/// Removes temporary files, writes `tribunal: line` to standard error by one call of write(2) and ends the process with
+/// the exit code. No destructor runs, and nothing that waits in a buffer is written. Lines are cut at 1000 bytes.
 [[noreturn]] void end_at_once(Exit exit, std::string_view line) noexcept;
-
-/// What a sudden end calls first, to remove files that nobody is to find: a function that is safe in a signal handler.
-void before_sudden_end(void (*tidy)() noexcept);
 
 /// What a child process of ours ends with where this program's own memory failed in it, and says nothing.
 inline constexpr int child_lacked_memory = 113;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <map>
 
-#include "exact/base/files.h"
+#include "exact/base/output.h"
 #include "exact/classes/class_table.h"
 #include "exact/record/contract_json.h"
 #include "exact/record/errors_json.h"
@@ -383,12 +383,14 @@ std::string counterexample_lines(const Certificate& c) {
 }
 
 Certificate write_certificate(const std::string& directory, ChainedLog& log) {
-  const std::string path = directory + "/log.jsonl";
-  write_file(path, log.finish());
-  const Certificate c = certificate_from(read_log(path), path);
-  write_file(directory + "/certificate.json", to_json(c).dump(1) + "\n");
-  write_file(directory + "/certificate.md", to_markdown(c));
-  write_file(directory + "/counterexamples.jsonl", counterexample_lines(c));
+  OutputSet set;
+  const std::string text = log.finish();
+  const Certificate c = certificate_from(log.so_far(), directory + "/log.jsonl");
+  set.add(directory + "/log.jsonl", text);
+  set.add(directory + "/counterexamples.jsonl", counterexample_lines(c));
+  set.add(directory + "/certificate.md", to_markdown(c));
+  set.add(directory + "/certificate.json", to_json(c).dump(1) + "\n");
+  set.commit();
   return c;
 }
 

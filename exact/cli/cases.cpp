@@ -2,7 +2,7 @@
 #include <memory>
 
 #include "exact/base/failure.h"
-#include "exact/base/files.h"
+#include "exact/base/output.h"
 #include "exact/cases/case_io.h"
 #include "exact/cli/command.h"
 

@@ -6,6 +6,7 @@
 
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
+#include "exact/base/output.h"
 #include "exact/cases/families/aimed.h"
 #include "exact/certificate/certificate.h"
 #include "exact/certificate/verify.h"

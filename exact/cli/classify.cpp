@@ -2,6 +2,7 @@
 
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
+#include "exact/base/output.h"
 #include "exact/cases/case_io.h"
 #include "exact/cli/command.h"
 #include "exact/trial/judge.h"

@@ -1,13 +1,13 @@
 #include <algorithm>
 #include <cstdio>
 #include <deque>
-#include <filesystem>
 #include <map>
 #include <memory>
 
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
 #include "exact/base/interrupt.h"
+#include "exact/base/output.h"
 #include "exact/base/progress.h"
 #include "exact/cases/own/family.h"
 #include "exact/cli/command.h"
@@ -260,6 +260,7 @@ std::vector<Case> counterexamples(const FuzzPlan& plan, const FuzzReport& report
   std::vector<std::size_t> kept(plan.methods.size());
   const auto faults = faults_of(report);
   for (const Finding& f : report.findings) {
+    fail_if_interrupted("no counterexamples written");
     const bool first_of_fault = f.fault && faults.at({f.method, f.fault.kind}).first == &f;
     if (kept[f.method]++ < keep || first_of_fault) cases.push_back(to_counterexample(plan, f));
   }
@@ -269,12 +270,13 @@ std::vector<Case> counterexamples(const FuzzPlan& plan, const FuzzReport& report
 
 FuzzReport run_plan(const Options& o, const FuzzPlan& plan) {
   if (o.out.empty()) return fuzz(plan);
+  const UnbrokenEnd unbroken;  // until the checkpoint is saved
   make_directory(o.out);
   FuzzReport start = empty_report(plan);
   if (o.resume) {
     if (const auto saved = load_checkpoint(o.out, plan)) start = *saved;
     print("going on after " + std::to_string(start.cases) + " cases\n");
-  } else if (std::filesystem::exists(checkpoint_path(o.out))) {
+  } else if (exists(checkpoint_path(o.out))) {
     throw Failure(Exit::usage,
                   checkpoint_path(o.out) + " is of an interrupted run: --resume goes on with it, or remove it");
   }
@@ -303,9 +305,11 @@ std::string totals(const FuzzPlan& plan, const FuzzReport& report) {
 
 void write_findings(const Options& o, const FuzzPlan& plan, const FuzzReport& report) {
   const auto cases = counterexamples(plan, report, o.keep);
-  write_file(o.out + "/summary.json", summary(plan, report).dump(1) + "\n");
-  write_file(o.out + "/counterexamples.jsonl", to_lines(cases));
-  remove_checkpoint(o.out);
+  OutputSet set;
+  set.add(o.out + "/counterexamples.jsonl", to_lines(cases));
+  set.add(o.out + "/summary.json", summary(plan, report).dump(1) + "\n");
+  set.commit();
+  remove_tree(checkpoint_path(o.out));
   print(std::to_string(cases.size()) + " counterexamples in " + o.out + "/counterexamples.jsonl" +
         (cases.empty() ? "" : "; `tribunal replay` shows them") + "\n");
 }
@@ -334,26 +338,35 @@ void require_judged(const FuzzPlan& plan, const FuzzReport& report) {
   }
 }
 
+/// What is left to do of a run whose cases are done. Fails with 128 + signal if one asks for an end before the results
+/// are written.
+int finish(const Options& o, const FuzzPlan& plan, const FuzzReport& report, bool stopped) {
+  const std::string first = plainest(plan, report);
+  if (!o.out.empty()) write_findings(o, plan, report);
+  print(first);
+  if (!stopped) require_judged(plan, report);
+  return code(report.findings.empty() ? Exit::ok : Exit::disagreement);
+}
+
 int run(const Options& o, const FuzzPlan& plan) {
   if (o.relations) return run_relations(plan, o.out);
-  watch_interrupts();  // from here on a signal leaves a checkpoint
+  const OrderlyEnd orderly;  // a signal is answered by what was found so far
   FuzzReport report = run_plan(o, plan);
-  ask_again(plan, report);
+  if (report.cases == 0) fail_if_interrupted("no case was run");
   if (report.cases == 0) throw Failure(Exit::resources, "no case was run");
+  ask_again(plan, report);
   const bool stopped = o.until_first && !report.findings.empty();
   const std::string counts =
       verdicts(plan, report) + table(plan, report) + coverage(plan, report) + errors_table(plan, report);
   print((stopped ? "" : counts) + fault_lines(plan, report) + totals(plan, report));
-  const bool complete = is_complete(plan, report);
-  if (!complete) {
-    print("INTERRUPTED after " + std::to_string(report.cases) + " of " + std::to_string(plan.cases) + " cases" +
-          (o.out.empty() ? "" : "; the same command with --resume goes on") + "\n");
-  } else if (!o.out.empty()) {
-    write_findings(o, plan, report);
+  try {
+    if (is_complete(plan, report)) return finish(o, plan, report, stopped);
+  } catch (const Failure& failure) {
+    if (code(failure.exit()) != 128 + interrupted()) throw;
   }
-  if (complete) print(plainest(plan, report));
-  if (complete && !stopped) require_judged(plan, report);
-  return exit_code_after(code(report.findings.empty() ? Exit::ok : Exit::disagreement), complete ? 0 : interrupted());
+  print("INTERRUPTED after " + std::to_string(report.cases) + " of " + std::to_string(plan.cases) + " cases" +
+        (o.out.empty() ? "" : "; the same command with --resume goes on") + "\n");
+  return 128 + interrupted();
 }
 
 /// The families that are asked, with those that are made of the user's own data. The streams point into it.

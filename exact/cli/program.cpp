@@ -11,6 +11,7 @@
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
 #include "exact/base/fp_environment.h"
+#include "exact/base/interrupt.h"
 #include "exact/base/plain_locale.h"
 #include "exact/base/sudden_end.h"
 
@@ -47,6 +48,8 @@ int run_command(std::span<const Command> commands, const std::vector<std::string
 
 int run_program(std::span<const Command> commands, int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is then a failed write, which has its own exit code
+  std::signal(SIGXFSZ, SIG_IGN);  // and so is a file that would become larger than the limit
+  watch_interrupts();
   install_last_resort();
   use_plain_locale();
   try {

@@ -2,6 +2,7 @@
 
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
+#include "exact/base/output.h"
 #include "exact/cli/command.h"
 #include "exact/methods/methods.h"
 #include "exact/record/counterexample.h"

@@ -6,6 +6,7 @@
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
 #include "exact/base/json.h"
+#include "exact/base/output.h"
 #include "exact/cli/command.h"
 #include "exact/report/classes.h"
 
@@ -45,14 +46,14 @@ int run(const Options& o) {
   if (!o.plan.directories.empty()) outputs.push_back({"--out", o.out});
   std::erase_if(outputs, [](const Output& output) { return output.file.empty(); });
   require_distinct(outputs);
-  if (!o.classes.empty()) {
-    write_file(o.classes, classes_json().dump(1) + "\n");
-    if (o.plan.directories.empty()) return code(Exit::ok);
-  }
+  OutputSet set;
+  if (!o.classes.empty()) set.add(o.classes, classes_json().dump(1) + "\n");
+  if (!o.classes.empty() && o.plan.directories.empty()) return set.commit(), code(Exit::ok);
   if (o.plan.directories.empty()) throw Failure(Exit::usage, "report: no directory given, expected one with results");
   const Json report = gather_report(o.plan);
-  if (!o.json.empty()) write_file(o.json, report.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
-  write_file(o.out, report_page(report));
+  if (!o.json.empty()) set.add(o.json, report.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
+  set.add(o.out, report_page(report));
+  set.commit();
   if (o.out != "-" && o.json != "-" && o.classes != "-") print(in_words(report, o.out));
   return code(Exit::ok);
 }

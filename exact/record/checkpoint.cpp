@@ -1,10 +1,10 @@
 #include "exact/record/checkpoint.h"
 
 #include <algorithm>
-#include <filesystem>
 
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
+#include "exact/base/output.h"
 #include "exact/record/chain.h"
 #include "exact/record/data_record.h"
 #include "exact/record/errors_json.h"
@@ -133,15 +133,15 @@ void save_checkpoint(const std::string& directory, const FuzzPlan& plan, const F
   log_errors(log, plan, report);
   for (const Finding& f : report.findings) log.add(finding_record(f));
   log.add({{"record", "done"}, {"cases", report.cases}, {"audited", report.audited}});
-  write_file(checkpoint_path(directory), log.finish());
-  for (const char* of_another_run : {"/summary.json", "/counterexamples.jsonl"}) {
-    std::filesystem::remove(directory + of_another_run);
-  }
+  OutputSet set;
+  for (const char* of_another_run : {"/summary.json", "/counterexamples.jsonl"}) set.drop(directory + of_another_run);
+  set.add(checkpoint_path(directory), log.finish());
+  set.commit(AfterSignal::appears);
 }
 
 std::optional<FuzzReport> load_checkpoint(const std::string& directory, const FuzzPlan& plan) {
   const std::string path = checkpoint_path(directory);
-  if (!std::filesystem::exists(path)) return std::nullopt;
+  if (!exists(path)) return std::nullopt;
   const LogRecords log = read_log(path);
   if (log.records.empty() || log.records[0] != plan_record(plan)) {
     const Json saved = log.records.empty() ? Json::object() : log.records[0];
@@ -151,7 +151,5 @@ std::optional<FuzzReport> load_checkpoint(const std::string& directory, const Fu
   for (std::size_t i = 1; i < log.records.size(); ++i) add_record(plan, report, log.records[i], {path, i + 1});
   return report;
 }
-
-void remove_checkpoint(const std::string& directory) { std::filesystem::remove(checkpoint_path(directory)); }
 
 }  // namespace tribunal

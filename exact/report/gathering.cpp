@@ -68,8 +68,7 @@ void Gathering::leave_out(Run& run, const std::string& what) {
 
 Json Gathering::add_image(Run& run, const std::string& name) {
   const std::string file = run.path(std::filesystem::path(name).filename().string());
-  std::error_code unknown;
-  if (!std::filesystem::is_regular_file(file, unknown)) return leave_out(run, file + " is missing"), Json();
+  if (!is_regular_file(file)) return leave_out(run, file + " is missing"), Json();
   const std::string bytes = read_file(file);
   if (!is_png(bytes)) throw bad_input(file, 0, "no PNG file, expected a picture that `render` wrote");
   if (bytes.size() > most_image_bytes || image_bytes_ + bytes.size() > most_bytes_of_images) {

@@ -88,7 +88,7 @@ PYTHON
 # A signal while figures are drawn is no success.
 rm -f again/plot.log
 "$TRIBUNAL" chart --redraw again >out 2>err & pid=$!
-for _ in $(seq 500); do [ -e again/plot.log ] && break; sleep 0.02; done
+for _ in $(seq 500); do compgen -G "again/.tribunal-*/plot.log" >globbed && break; sleep 0.02; done
 kill -TERM $pid
 status=0
 wait $pid || status=$?

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "exact/base/output.h"
 #include "exact/cases/family_table.h"
 #include "exact/certificate/verify.h"
 #include "exact/methods/methods.h"

@@ -6,6 +6,7 @@
 
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
+#include "exact/base/output.h"
 #include "exact/certificate/certificate.h"
 #include "exact/certificate/certify.h"
 #include "exact/cli/command.h"

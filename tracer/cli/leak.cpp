@@ -4,6 +4,7 @@
 
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
+#include "exact/base/output.h"
 #include "exact/cli/command.h"
 #include "exact/mesh/read_mesh.h"
 #include "exact/mesh/triangulate.h"
@@ -99,6 +100,8 @@ int run_format(MeshTrial& trial, const Options& o, const Mesh& mesh, const std::
 /// Writes the rays of each format, and the mesh that they were aimed at. Nobody is asked.
 int write_rays(const Options& o, const Mesh& mesh) {
   make_directory(o.rays_out);
+  OutputSet set;
+  std::string written;
   for (const Format format : formats_of(o)) {
     const Surface surface(mesh, format, o.trial.mesh);
     std::string lines;
@@ -111,10 +114,12 @@ int write_rays(const Options& o, const Mesh& mesh) {
     }
     if (count == 0) throw Failure(Exit::resources, o.trial.mesh + ": no start off the surface was found");
     const std::string name = o.rays_out + "/" + std::string(name_of(format));
-    write_file(name + ".off", to_off(surface));
-    write_file(name + ".jsonl", lines);
-    print(std::to_string(count) + " rays in " + name + ".jsonl, aimed at " + name + ".off\n");
+    set.add(name + ".off", to_off(surface));
+    set.add(name + ".jsonl", lines);
+    written += std::to_string(count) + " rays in " + name + ".jsonl, aimed at " + name + ".off\n";
   }
+  set.commit();
+  print(written);
   return 0;
 }
 

@@ -5,6 +5,7 @@
 
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
+#include "exact/base/output.h"
 #include "exact/record/counterexample.h"
 #include "exact/record/environment.h"
 #include "tracer/leak/paint.h"
@@ -36,11 +37,24 @@ Json summary_of(const MeshTrial& trial, const MeshTrialOptions& o) {
   return {{"mesh", name_of_mesh(o)}, {"seed", o.seed}, {"trials", trial.summaries}, {"environment", environment()}};
 }
 
+/// Painted meshes of an earlier trial.
+void drop_pictures(OutputSet& set, const MeshTrial& trial, const std::string& directory) {
+  for (const std::string& path : files_in(directory)) {
+    const std::string file = path.substr(path.rfind('/') + 1);
+    const bool painted = file.ends_with("-binary32.ply") || file.ends_with("-binary64.ply");
+    const bool again = std::ranges::any_of(trial.pictures, [&](const auto& picture) { return picture.first == file; });
+    if (painted && !again) set.drop(path);
+  }
+}
+
 void write(const MeshTrial& trial, const MeshTrialOptions& o) {
   make_directory(o.out);
-  for (const auto& [file, bytes] : trial.pictures) write_file(o.out + "/" + file, bytes);
-  write_file(o.out + "/summary.json", summary_of(trial, o).dump(1) + "\n");
-  write_file(o.out + "/cases.jsonl", to_lines(trial.cases));
+  OutputSet set;
+  drop_pictures(set, trial, o.out);
+  for (const auto& [file, bytes] : trial.pictures) set.add(o.out + "/" + file, bytes);
+  set.add(o.out + "/cases.jsonl", to_lines(trial.cases));
+  set.add(o.out + "/summary.json", summary_of(trial, o).dump(1) + "\n");
+  set.commit();
 }
 
 void show(const MeshTrial& trial, const MeshTrialOptions& o, const std::string& first) {

@@ -9,6 +9,7 @@
 
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
+#include "exact/base/output.h"
 #include "exact/mesh/read_mesh.h"
 #include "exact/mesh/topology.h"
 #include "exact/record/counterexample.h"
@@ -314,7 +315,7 @@ void require_writable(const Options& o, const std::vector<Output>& outputs) {
   for (const auto& [option, file] : outputs) {
     require_different(o.scene, file);
     const std::filesystem::path folder = std::filesystem::path(file).parent_path();
-    if (!folder.empty() && !std::filesystem::is_directory(folder)) {
+    if (!folder.empty() && !is_directory(folder.string())) {
       throw Failure(Exit::output_failed, file + ": cannot write: no folder " + folder.string());
     }
   }
@@ -363,10 +364,11 @@ int run(const Options& o) {
     report += table_row(methods[i], renderings[i]);
   }
   for (std::size_t i = 0; i < methods.size(); ++i) report += describe_starts(methods[i], renderings[i].tally);
-  write_file(o.out, to_png(renderings[0].image));
+  OutputSet set;
+  set.add(o.out, to_png(renderings[0].image));
   if (o.heat) {
-    write_file(beside(o.out, ".tests.png"), to_png(tests_heat_map(renderings[0])));
-    write_file(beside(o.out, ".stages.png"), to_png(stages_heat_map(renderings[0])));
+    set.add(beside(o.out, ".tests.png"), to_png(tests_heat_map(renderings[0])));
+    set.add(beside(o.out, ".stages.png"), to_png(stages_heat_map(renderings[0])));
     report += formatted(
         "heat maps: white is %llu tests a pixel (logarithmic); the deepest stage is filter (blue), "
         "integers (orange), exact (white)\n",
@@ -376,18 +378,19 @@ int run(const Options& o) {
     const std::vector<DifferingPixel> differing = differing_pixels(renderings[0], renderings[1]);
     const Findings f = examine(world, methods[0], methods[1], differing, depth, o.max_cases);
     stats["difference"] = to_json(f, methods[0], methods[1]);
-    write_file(beside(o.out, ".against.png"), to_png(renderings[1].image));
-    write_file(beside(o.out, ".diff.png"), to_png(difference_image(renderings[0].image, differing)));
-    write_file(beside(o.out, ".cases.jsonl"), to_lines(f.cases));
-    write_file(beside(o.out, ".diff.json"), to_text(o, stats, f));
+    set.add(beside(o.out, ".against.png"), to_png(renderings[1].image));
+    set.add(beside(o.out, ".diff.png"), to_png(difference_image(renderings[0].image, differing)));
+    set.add(beside(o.out, ".cases.jsonl"), to_lines(f.cases));
+    set.add(beside(o.out, ".diff.json"), to_text(o, stats, f));
     report += describe(f, o, renderings[0].image.pixels.size());
   }
   if (!o.pov.empty()) {
     const World triangles = make_world(scene, world.format, Accel::bvh, Faces::triangulated);
-    write_file(o.pov, to_pov(triangles, depth));
-    write_file(beside(o.pov, ".ids.png"), to_png(ids_image(triangles, methods[0])));
+    set.add(o.pov, to_pov(triangles, depth));
+    set.add(beside(o.pov, ".ids.png"), to_png(ids_image(triangles, methods[0])));
   }
-  if (!o.stats.empty()) write_file(o.stats, stats.dump(2) + "\n");
+  if (!o.stats.empty()) set.add(o.stats, stats.dump(2) + "\n");
+  set.commit();
   print(report + "\nwritten: " + names_of(outputs) + "\n");
   return code(Exit::ok);
 }
