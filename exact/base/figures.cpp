@@ -18,6 +18,8 @@
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
 #include "exact/base/interrupt.h"
+#include "exact/base/json.h"
+#include "exact/base/shown.h"
 
 namespace tribunal {
 namespace {
@@ -102,6 +104,16 @@ class Script {
   posix_spawn_file_actions_t output_{};
 };
 
+/// Pictures take texts as they are, and no record of ours holds one that would steer them.
+void require_plain_texts(const Json& value, const Where& where) {
+  for (const auto& item : value.items()) {
+    const bool plain = shows_as_it_is(item.key()) &&
+                       (!item.value().is_string() || shows_as_it_is(item.value().get_ref<const std::string&>()));
+    if (!plain) where.fail("a text with a character that does not show, expected none in what this version writes");
+    if (item.value().is_structured()) require_plain_texts(item.value(), where);
+  }
+}
+
 std::vector<std::string> lines_of(const std::string& text) {
   std::istringstream stream(text);
   std::vector<std::string> lines;
@@ -155,6 +167,8 @@ void drop_figures(OutputSet& set, const std::string& directory, const FigureName
 
 std::vector<std::string> draw_figures(const std::string& directory, const std::string& script,
                                       const std::string& record, const FigureNames& names) {
+  const std::string path = directory + "/" + record;
+  require_plain_texts(parse_json(read_file(path), {path}), {path});
   const UnbrokenEnd unbroken;  // of the child and of what it writes
   const TemporaryDirectory drawn(directory);
   Script plot(directory, record, drawn.path());
@@ -169,7 +183,7 @@ std::vector<std::string> draw_figures(const std::string& directory, const std::s
   }
   if (ending == Ending::killed) throw Failure(Exit::resources, "no figures: a signal ended " + plot.file());
   if (ending == Ending::refused) {
-    throw bad_input(directory + "/" + record, 0, "not as this version writes it, " + log + " says where");
+    throw bad_input(path, 0, "not as this version writes it, " + log + " says where");
   }
   std::vector<std::string> lines = lines_of(read_file(plot.log()));
   publish(drawn.path(), directory, names);

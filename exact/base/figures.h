@@ -20,8 +20,8 @@ void drop_figures(OutputSet& set, const std::string& directory, const FigureName
 /// Writes the script to the directory as plot.py and runs `plot.py DIRECTORY/record ELSEWHERE`; the figures appear in
 /// the directory together, once all are drawn, and those of these names that were not drawn go. Returns the lines that
 /// the script prints. Fails with Exit::resources where there is no Python with matplotlib, with Exit::bad_input where
-/// the script cannot draw the record, and with 128 + signal if interrupted. Where it failed by itself, plot.log says
-/// how.
+/// a text in the record does not show as it is or the script cannot draw it, and with 128 + signal if interrupted.
+/// Where it failed by itself, plot.log says how.
 std::vector<std::string> draw_figures(const std::string& directory, const std::string& script,
                                       const std::string& record, const FigureNames& names);
 

@@ -11,6 +11,7 @@
 
 #include "exact/base/failure.h"
 #include "exact/base/fp_environment.h"
+#include "exact/base/shown.h"
 
 namespace tribunal {
 namespace {
@@ -110,7 +111,7 @@ std::string read_file(const std::string& path, std::size_t limit) {
 
 void print(std::string_view text) {
   refuse_changed_rounding();
-  write_all(stdout, text, "standard output");
+  write_all(stdout, shown_lines(text), "standard output");
 }
 
 void require_different(const std::string& input, const std::string& output) {

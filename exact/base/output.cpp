@@ -22,6 +22,7 @@
 #include "exact/base/failure.h"
 #include "exact/base/fp_environment.h"
 #include "exact/base/interrupt.h"
+#include "exact/base/shown.h"
 #include "exact/base/temporaries.h"
 
 namespace tribunal {
@@ -187,6 +188,7 @@ class OutputFile::Staged {
       target_.kind = Target::Kind::descriptor;
       target_.descriptor = STDOUT_FILENO;
       named_ = "standard output";
+      is_shown_ = true;
     } else {
       target_ = target_of(path);
     }
@@ -210,6 +212,11 @@ class OutputFile::Staged {
   }
 
   void write(std::string_view bytes) {
+    if (is_shown_) return buffer(shown_lines(bytes));
+    buffer(bytes);
+  }
+
+  void buffer(std::string_view bytes) {
     if (buffer_.size() + bytes.size() < buffered) {
       buffer_ += bytes;
       return;
@@ -219,6 +226,7 @@ class OutputFile::Staged {
   }
 
   void spill() {
+    refuse_changed_rounding();
     file_.write(buffer_, named_);
     buffer_.clear();
   }
@@ -328,6 +336,7 @@ class OutputFile::Staged {
   Descriptor file_{};
   std::string buffer_{};
   bool in_place_ = false;
+  bool is_shown_ = false;  ///< as people read it, who may be at a terminal (shown.h)
 };
 
 OutputFile::OutputFile(const std::string& path) : staged_(std::make_unique<Staged>(path)) {}

@@ -8,7 +8,8 @@
 // its owner could keep. Regular files among these are written under a temporary name first, and copied. (5) Every
 // failure is Exit::output_failed, names the file as the caller did, leaves no temporary file and all that was there as
 // it was. (6) After a signal that asked for an end nothing appears any more, unless the caller saves what was found:
-// Failure with 128 + signal. (7) Nothing is written after the floating-point environment changed (fp_environment.h).
+// Failure with 128 + signal. (7) Nothing is written once the floating-point environment has changed
+// (fp_environment.h): what follows it may be wrong.
 #pragma once
 
 #include <memory>
@@ -21,8 +22,8 @@ namespace tribunal {
 /// Whether files may still appear after a signal that asked for an end.
 enum class AfterSignal : bool { nothing, appears };
 
-/// One file, written from begin to end. "-" is standard output. It appears by commit(); without that, nothing does,
-/// but for what went to a device or pipe directly.
+/// One file, written from begin to end. "-" is standard output, which gets whole lines, as people read them (shown.h).
+/// It appears by commit(); without that, nothing does, but for what went to a device or pipe directly.
 class OutputFile {
  public:
   explicit OutputFile(const std::string& path);

@@ -2,17 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "exact/base/failure.h"
-#include "exact/base/files.h"
+#include "exact/base/foreign_json.h"
+#include "exact/base/lines.h"
 #include "exact/cases/case_line.h"
+#include "exact/cases/case_scan.h"
 #include "exact/classes/class_table.h"
 
 namespace tribunal {
 namespace {
-
-constexpr std::size_t max_line = std::size_t{1} << 20;
 
 std::string to_text(const Json& object, const char* key, const Where& where) {
   const Json& value = require(object, key, where);
@@ -32,7 +33,7 @@ template <std::size_t N>
 std::array<Point3, N> to_points(const Json& value, Format format, const Where& where) {
   if (!value.is_array() || value.size() != N) where.fail("expected " + std::to_string(N) + " points");
   std::array<Point3, N> points;
-  for (std::size_t i = 0; i < N; ++i) points[i] = to_point(value[i], format, where.index(i));
+  for (std::size_t i = 0; i < N; ++i) points[i] = to_any_point(value[i], format, where.index(i));
   return points;
 }
 
@@ -53,7 +54,7 @@ PolygonData to_polygon(const Json& rings, Format format, const Where& where) {
     const Where at = where.index(r);
     if (!rings[r].is_array() || rings[r].empty()) at.fail("expected an array of at least one point");
     for (std::size_t i = 0; i < rings[r].size(); ++i) {
-      polygon.vertices.push_back(to_point(rings[r][i], format, at.index(i)));
+      polygon.vertices.push_back(to_any_point(rings[r][i], format, at.index(i)));
     }
     polygon.ends.push_back(polygon.vertices.size());
   }
@@ -68,11 +69,18 @@ Target to_target(const Json& object, Format format, const Where& where) {
   where.fail("missing \"tri\" or \"rings\"");
 }
 
-/// `[tmin, tmax]`: numbers of the case's format, the second perhaps "inf".
+/// "inf", and no hex float.
+bool is_word(const std::string& text) { return text.find_first_of("xX") == std::string::npos; }
+
+/// `[tmin, tmax]`: numbers of the case's format, the second perhaps "inf", which is none but says that there is no
+/// bound. A number that rounds to infinity is a bound, and is not finite.
 Bounds to_bounds(const Json& value, Format format, const Where& where) {
   if (!value.is_array() || value.size() != 2) where.fail("expected two numbers, tmin and tmax");
-  Bounds bounds{.tmin = to_number(value[0], format, where.index(0))};
-  if (value[1] != "inf") bounds.tmax = to_number(value[1], format, where.index(1));
+  Bounds bounds{.tmin = to_any_number(value[0], format, where.index(0)),
+                .tmax = to_any_number(value[1], format, where.index(1))};
+  const bool unbounded = bounds.tmax > 0 && value[1].is_string() && is_word(value[1].get_ref<const std::string&>());
+  if (std::isinf(bounds.tmax) && !unbounded) bounds.tmax = std::numeric_limits<double>::quiet_NaN();
+  if (!is_finite(bounds)) return bounds;
   if (bounds.tmin < 0) where.index(0).fail("expected tmin >= 0");
   if (bounds.tmax < bounds.tmin) where.index(1).fail("expected tmax >= tmin, or \"inf\"");
   return bounds;
@@ -87,8 +95,8 @@ std::optional<Bounds> to_bounds(const Json& object, const Query& query, Format f
 
 Ray to_ray(const Json& value, Format format, const Where& where) {
   require_keys(value, {"o", "d", "t"}, where);
-  return {to_point(require(value, "o", where), format, where.key("o")),
-          {to_point(require(value, "d", where), format, where.key("d"))}};
+  return {to_any_point(require(value, "o", where), format, where.key("o")),
+          {to_any_point(require(value, "d", where), format, where.key("d"))}};
 }
 
 Probe to_probe(const Json& object, Format format, const Where& where) {
@@ -125,8 +133,7 @@ void add_probe(Json& object, const Probe& probe) {
 }
 
 void add_bounds(Json& object, const Bounds& bounds) {
-  const Json end = std::isinf(bounds.tmax) ? Json("inf") : Json(hex_float(bounds.tmax));
-  object["ray"]["t"] = Json::array({hex_float(bounds.tmin), end});
+  object["ray"]["t"] = Json::array({hex_float(bounds.tmin), hex_float(bounds.tmax)});
 }
 
 void add_target(Json& object, const Triangle& t) {
@@ -143,6 +150,19 @@ void add_target(Json& object, const Polygon& polygon) {
   object["rings"] = std::move(rings);
 }
 
+constexpr std::size_t lines_at_once = 1024, bytes_at_once = std::size_t{1} << 18;
+
+bool next_block(LineReader& reader, LineBlock& block) { return reader.next(block, lines_at_once, bytes_at_once); }
+
+void for_each_line_of(LineReader reader, const std::string& path,
+                      const std::function<void(const Json& object, const Where& where)>& visit) {
+  const auto read = [&](std::string_view line, std::size_t number) {
+    const Where where{path, number};
+    visit(parse_json_beyond(line, where), where);
+  };
+  for (LineBlock block; next_block(reader, block);) block.for_each(path, read);
+}
+
 /// Triangles and polygons have separate certificates.
 void require_operands(Operands operands, const Json& object, const Where& where) {
   if (!object.is_object()) return;
@@ -154,17 +174,28 @@ void require_operands(Operands operands, const Json& object, const Where& where)
   }
 }
 
-std::vector<Case> cases_in(std::string_view text, const std::string& path, std::optional<Operands> operands) {
+/// All cases that the reader has lines of, with these operands if any are named.
+std::vector<Case> cases_of(LineReader reader, const std::string& path, std::optional<Operands> operands) {
   std::vector<Case> cases;
-  for_each_line_in(text, path, [&](const Json& object, const Where& where) {
+  const auto read = [&](std::string_view line, std::size_t number) {
+    Case& c = cases.emplace_back();
+    if (scan_case(line, c) && (!operands || c.query.operands() == *operands)) return;
+    const Where where{path, number};
+    const Json object = parse_json_beyond(line, where);
     if (operands) require_operands(*operands, object, where);
-    cases.push_back(to_case(object, where));
-  });
+    c = to_case(object, where);
+  };
+  for (LineBlock block; next_block(reader, block);) block.for_each(path, read);
   if (cases.empty()) throw bad_input(path, 0, "holds no cases, expected one JSON object a line");
   return cases;
 }
 
-bool is_blank(std::string_view line) { return line.find_first_not_of(" \t\r") == std::string_view::npos; }
+/// A case whose numbers are not all finite has neither answer nor class.
+void require_silence(const Json& object, const Where& where) {
+  for (const char* key : {"expect", "class"}) {
+    if (object.contains(key)) where.key(key).fail("given of a case with a number that is not finite, expected none");
+  }
+}
 
 }  // namespace
 
@@ -180,6 +211,7 @@ Case to_case(const Json& object, const Where& where) {
   if (object.contains("rings") && object.contains("class")) {
     where.key("class").fail("a case with \"rings\" has no class, expected none");
   }
+  if (!is_finite(c.query)) require_silence(object, where);
   if (object.contains("source")) c.source = to_text(object, "source", where);
   if (object.contains("finding")) c.finding = object["finding"];
   return c;
@@ -204,31 +236,22 @@ std::string case_line(const std::string& id, const Query& query) {
 }
 
 void for_each_line(const std::string& path, const std::function<void(const Json& object, const Where& where)>& visit) {
-  for_each_line_in(read_file(path), path, visit);
+  for_each_line_of(LineReader(bytes_of(path)), path, visit);
 }
 
 void for_each_line_in(std::string_view text, const std::string& path,
                       const std::function<void(const Json& object, const Where& where)>& visit) {
-  std::size_t line_number = 0;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    const std::string_view line = text.substr(begin, end - begin);
-    begin = end + 1;
-    const Where where{path, ++line_number};
-    if (is_blank(line)) continue;
-    if (line.size() > max_line) where.fail("line longer than 1 MiB, expected one JSON object");
-    visit(parse_json(line, where), where);
-  }
+  for_each_line_of(LineReader(bytes_in(text)), path, visit);
 }
 
 std::vector<Case> cases_in(std::string_view text, const std::string& path) {
-  return cases_in(text, path, std::optional<Operands>{});
+  return cases_of(LineReader(bytes_in(text)), path, {});
 }
 
-std::vector<Case> read_cases(const std::string& path) { return cases_in(read_file(path), path); }
+std::vector<Case> read_cases(const std::string& path) { return cases_of(LineReader(bytes_of(path)), path, {}); }
 
 std::vector<Case> read_cases(const std::string& path, Operands operands) {
-  return cases_in(read_file(path), path, std::optional(operands));
+  return cases_of(LineReader(bytes_of(path)), path, operands);
 }
 
 Json from_answer(const Case& c, const Method& method, const Answer& answer) {

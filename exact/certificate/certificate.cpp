@@ -47,6 +47,16 @@ RelationRow to_relation(const Json& r, const Where& where) {
   return row;
 }
 
+NonfiniteRow to_nonfinite(const Json& r, const Where& where) {
+  NonfiniteRow row{.format = format_of(r, where),
+                   .asked = number_of(r, "asked", where),
+                   .refused = number_of(r, "refused", where),
+                   .answered = number_of(r, "answered", where)};
+  if (row.refused > row.asked || row.answered > row.asked - row.refused) where.fail("counts that cannot be");
+  if (row.answered > 0) row.first = string_of(r, "first", where);
+  return row;
+}
+
 /// The operands of a record: triangles, unless it says otherwise.
 Operands operands_in(const Json& r, const Where& where) {
   if (!r.contains("operands")) return Operands::triangles;
@@ -104,6 +114,8 @@ void read(Certificate& c, const Json& r, const Where& where) {
     }
   } else if (kind == "errors") {
     c.errors.push_back({string_of(r, "family", where), format_of(r, where), to_errors(r, where)});
+  } else if (kind == "nonfinite") {
+    c.nonfinite.push_back(to_nonfinite(r, where));
   } else if (kind == "counterexample") {
     c.counterexamples.push_back(require(r, "case", where));
   } else {
@@ -217,7 +229,8 @@ void add_calibration_gaps(Certificate& c) {
 }
 
 void add_set_gaps(Certificate& c) {
-  const bool of_a_file = c.proved.empty() && c.has_own();  // what judge writes: nothing else is due
+  const bool of_a_file =
+      c.proved.empty() && (c.has_own() || !c.nonfinite.empty());  // what judge writes: nothing else is due
   if (!of_a_file && c.sampled().judged() == 0) c.gaps.push_back({"sample", "the method answered none of it", false});
   if (c.has_own() && c.own().judged() == 0) {
     c.gaps.push_back({own_cases, "the method answered none of them", !of_a_file});
@@ -287,7 +300,7 @@ Count total_of_sets(const Certificate& c, bool rays) {
 Verdict verdict_of(const Certificate& c) {
   const bool wrong_in_set = std::ranges::any_of(c.proved, [](const ProvedSet& s) { return s.count.wrong > 0; });
   if (wrong_in_set || c.sampled().wrong > 0 || c.own().wrong > 0) return Verdict::refuted;
-  if (!c.broken_relations().empty()) return Verdict::refuted;
+  if (!c.broken_relations().empty() || c.all_nonfinite().answered > 0) return Verdict::refuted;
   const bool hole = std::ranges::any_of(c.gaps, [](const Gap& g) { return !g.explained; });
   return hole ? Verdict::incomplete : Verdict::not_refuted;
 }
@@ -334,6 +347,17 @@ Count Certificate::own(Format format) const { return total_of_rows(*this, true, 
 
 Count Certificate::own() const { return own(Format::binary64) += own(Format::binary32); }
 
+NonfiniteRow Certificate::all_nonfinite() const {
+  NonfiniteRow all;
+  for (const NonfiniteRow& row : nonfinite) {
+    if (all.answered == 0) all.first = row.first;
+    all.asked += row.asked;
+    all.refused += row.refused;
+    all.answered += row.answered;
+  }
+  return all;
+}
+
 std::vector<std::string> Certificate::broken_relations() const {
   std::vector<std::string> names;
   for (const RelationRow& r : relations) {
@@ -353,6 +377,9 @@ std::string Certificate::worst() const {
     counts.push_back({"your own " + name, own(format)});
   }
   std::string text = headline(counts);
+  if (const std::uint64_t n = all_nonfinite().answered; n > 0) {
+    text += "; answers " + std::to_string(n) + " cases that are not finite";
+  }
   const std::vector<std::string> broken = broken_relations();
   for (std::size_t i = 0; i < broken.size(); ++i) text += (i == 0 ? "; breaks relations " : ", ") + broken[i];
   return text;

@@ -48,6 +48,14 @@ struct ErrorRow {
   HitErrors errors{};
 };
 
+/// One's own cases of a format with numbers that are not finite: each is to be refused with the status `nonfinite`.
+/// Whoever refuses it as unsupported, is owed nothing; whoever does anything else is wrong.
+struct NonfiniteRow {
+  Format format = Format::binary64;
+  std::uint64_t asked = 0, refused = 0, answered = 0;
+  std::string first{};  ///< the id of the first that was answered
+};
+
 /// The family under which the cases of a user's file are logged. They are no sample of anything.
 inline constexpr const char* own_cases = "your own cases";
 
@@ -100,6 +108,7 @@ struct Certificate {
   std::vector<ProvedSet> proved;
   std::vector<RelationRow> relations;
   std::vector<ErrorRow> errors;
+  std::vector<NonfiniteRow> nonfinite;
   std::vector<SampledStream> streams;
   std::vector<SampleRow> rows;                  ///< of the method on trial
   std::map<std::string, ByFormat> calibration;  ///< of the naive methods on the same sample
@@ -126,6 +135,7 @@ struct Certificate {
   Count sampled(Format) const;
   Count own() const;  ///< one's own cases
   Count own(Format) const;
+  NonfiniteRow all_nonfinite() const;  ///< of both formats
   std::uint64_t version() const { return plan.value("version", std::uint64_t{1}); }
   /// Whether the log says what wrong answers are.
   bool says_outcomes() const { return version() >= 2; }

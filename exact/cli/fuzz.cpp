@@ -26,13 +26,16 @@ namespace tribunal {
 namespace {
 
 struct Options {
-  std::string methods = "sf-double", families, out, cases, mesh, scene;
+  std::string methods, families, out, cases, mesh, scene;
   std::uint64_t seed = 1, count = 0;
   double seconds = 0;
   unsigned threads = 1;
   std::size_t keep = 20;
   bool relations = false, resume = false, until_first = false;
 };
+
+/// Asked if no method is named and there is no plugin.
+constexpr const char* default_methods = "sf-double";
 
 /// The default is so many that each of one's own cases is asked as it stands.
 std::uint64_t cases_of(const Options& o, const std::vector<Stream>& streams) {
@@ -46,7 +49,7 @@ std::uint64_t cases_of(const Options& o, const std::vector<Stream>& streams) {
 }
 
 FuzzPlan plan_of(const Options& o, std::vector<Stream> streams) {
-  FuzzPlan plan{.methods = methods_named(o.methods),
+  FuzzPlan plan{.methods = methods_on_trial(o.methods, default_methods),
                 .streams = std::move(streams),
                 .seed = o.seed,
                 .seconds = o.seconds,
@@ -112,23 +115,41 @@ std::string errors_cells(const char* what, const Ulps& u) {
   return u.all() == 0 ? "" : "  " + std::string(what) + ": " + in_words(u);
 }
 
-/// The errors of the numbers given with right hits of rays, by method × stream.
+/// The errors of a method in one format, and the families that they are of: "plain", or "3 families".
+struct ErrorsInFormat {
+  HitErrors errors{};
+  std::string families{};
+};
+
+ErrorsInFormat errors_in(const FuzzPlan& plan, const FuzzReport& report, std::size_t method, Format format) {
+  ErrorsInFormat sum;
+  std::size_t count = 0;
+  for (std::size_t s = 0; s < plan.streams.size(); ++s) {
+    const HitErrors& e = report.errors[plan.errors_at(method, s)];
+    if (plan.streams[s].format != format || e.hits == 0) continue;
+    sum.errors += e;
+    sum.families = ++count == 1 ? std::string(plan.streams[s].family->name) : std::to_string(count) + " families";
+  }
+  return sum;
+}
+
+/// The errors of the numbers given with right hits of rays, a line for each method and format: what each family has,
+/// summary.json says.
 std::string errors_table(const FuzzPlan& plan, const FuzzReport& report) {
   std::string text;
   char line[200];
   for (std::size_t m = 0; m < plan.methods.size(); ++m) {
-    for (std::size_t s = 0; s < plan.streams.size(); ++s) {
-      const HitErrors& e = report.errors[plan.errors_at(m, s)];
-      if (e.hits == 0) continue;
-      std::snprintf(line, sizeof line, "%-22s %-9s %-9s", plan.methods[m].name.c_str(),
-                    std::string(plan.streams[s].family->name).c_str(),
-                    std::string(name_of(plan.streams[s].format)).c_str());
-      text += line + errors_cells("t", e.t) + errors_cells("weights", e.weights) + "\n";
+    for (const Format format : {Format::binary64, Format::binary32}) {
+      const auto [errors, families] = errors_in(plan, report, m, format);
+      if (errors.hits == 0) continue;
+      std::snprintf(line, sizeof line, "%-22s %-9s %-9s", plan.methods[m].name.c_str(), families.c_str(),
+                    std::string(name_of(format)).c_str());
+      text += line + errors_cells("t", errors.t) + errors_cells("weights", errors.weights) + "\n";
     }
   }
   if (text.empty()) return "";
   return "errors of numbers in ulps of the exact value, of right hits of rays, one case in " +
-         std::to_string(measured_period) + ":\n" + text;
+         std::to_string(measured_period) + "; by family in --out DIR:\n" + text;
 }
 
 Json errors_json(const FuzzPlan& plan, const FuzzReport& report) {
@@ -415,7 +436,7 @@ int run(const Options& o, ReadScene read_scene) {
 
 Action declare_fuzz(Arguments& arguments, ReadScene read_scene) {
   const auto o = std::make_shared<Options>();
-  arguments.option("--method", o->methods, "methods, separated by commas").shows_default();
+  add_methods_option(arguments, o->methods, default_methods);
   arguments.option("--family", o->families, family_help());
   arguments.option("--cases", o->cases,
                    "case file of your own (- is standard input): hunt from its cases, as they are and changed by ulps, "
@@ -425,23 +446,21 @@ Action declare_fuzz(Arguments& arguments, ReadScene read_scene) {
                    "mesh of your own (OFF, OBJ, PLY, STL): hunt from its triangles, with probes aimed at them");
   arguments.option("--scene", o->scene,
                    "scene of your own: hunt from the rays of its camera and of what it shades, and the triangles near");
-  arguments.option("--seed", o->seed, "seed of the cases").whole_number().shows_default();
-  arguments.option("--count", o->count, "cases in all (default 500000)").whole_number().above_zero();
+  arguments.option("--seed", o->seed, "seed of the cases").shows_default();
+  arguments.option("--count", o->count, "cases in all (default 500000)").above_zero();
   arguments.option("--seconds", o->seconds, "run for a time instead").above_zero();
   arguments.excludes("--seconds", "--count");
   add_threads_option(arguments, o->threads);
   arguments.option("--out", o->out, "directory for summary.json and counterexamples.jsonl");
   arguments.flag("--resume", o->resume, "go on with an interrupted run of the same plan in --out");
   arguments.needs("--resume", "--out");
-  arguments.option("--keep", o->keep, "counterexamples to shrink and write, a method").whole_number().shows_default();
+  arguments.option("--keep", o->keep, "counterexamples to shrink and write, a method").shows_default();
   arguments.flag("--relations", o->relations, "check relations between answers instead: no oracle is asked");
   arguments.excludes("--relations", "--seconds");
   arguments.flag("--until-first", o->until_first,
                  "stop at the first finding and print it: the one with the lowest case number, whatever the threads");
   arguments.excludes("--until-first", "--relations");
-  const Action action = with_plugins(arguments, [o, read_scene] { return run(*o, read_scene); });
-  arguments.needs("--plugin", "--method");  // else it would be loaded and not tried
-  return action;
+  return with_plugins(arguments, [o, read_scene] { return run(*o, read_scene); });
 }
 
 }  // namespace tribunal

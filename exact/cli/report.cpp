@@ -18,27 +18,16 @@ struct Options {
   std::string out = "report.html", json, classes;
 };
 
-/// For a terminal: names and faults come from files, and may hold what would steer it.
-std::string printable(std::string text) {
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    const bool c1 = byte == 0xc2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xa0;
-    if (c1) text[i + 1] = '?';
-    if (byte < 0x20 || byte == 0x7f || c1) text[i] = '?';
-  }
-  return text;
-}
-
 /// What the page says first, and what it does not show.
 std::string in_words(const Json& report, const std::string& out) {
   std::string text;
   for (const Json& line : report["verdicts"]) {
     const std::string detail = line["detail"];
-    text += printable(line["text"].get<std::string>() + (detail.empty() ? "" : "; " + detail)) + "\n";
+    text += line["text"].get<std::string>() + (detail.empty() ? "" : "; " + detail) + "\n";
   }
-  for (const Json& what : report["left_out"]) text += "left out: " + printable(what.get<std::string>()) + "\n";
+  for (const Json& what : report["left_out"]) text += "left out: " + what.get<std::string>() + "\n";
   return text + "\n" + std::to_string(report["runs"].size()) + " results, " + std::to_string(report["cases"].size()) +
-         " cases; open " + printable(out) + "\n";
+         " cases; open " + out + "\n";
 }
 
 int run(const Options& o) {
@@ -51,7 +40,7 @@ int run(const Options& o) {
   if (!o.classes.empty() && o.plan.directories.empty()) return set.commit(), code(Exit::ok);
   if (o.plan.directories.empty()) throw Failure(Exit::usage, "report: no directory given, expected one with results");
   const Json report = gather_report(o.plan);
-  if (!o.json.empty()) set.add(o.json, report.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
+  if (!o.json.empty()) set.add(o.json, report.dump() + "\n");
   set.add(o.out, report_page(report));
   set.commit();
   if (o.out != "-" && o.json != "-" && o.classes != "-") print(in_words(report, o.out));

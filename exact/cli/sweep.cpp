@@ -123,8 +123,7 @@ MapKind map_of(const Options& o) {
 }
 
 MapPlan map_plan_of(const Options& o, const MapKind& map) {
-  MapPlan plan{
-      .methods = methods_named(o.methods.empty() ? default_methods : o.methods), .map = map, .threads = o.plan.threads};
+  MapPlan plan{.methods = methods_on_trial(o.methods, default_methods), .map = map, .threads = o.plan.threads};
   for (const Method& m : plan.methods) {
     const Probes& probes = m.contract.probes;
     const bool takes_probe = map.probe == ProbeKind::ray ? probes.rays : probes.segments;
@@ -219,7 +218,7 @@ int run(const Options& o) {
   if (o.axes == compiler_axis) return run_compilers(o);
   SweepPlan plan = o.plan;
   set_axes(plan, o);
-  plan.methods = methods_named(o.methods.empty() ? default_methods : o.methods);
+  plan.methods = methods_on_trial(o.methods, default_methods);
   if (o.methods.empty()) std::erase_if(plan.methods, [&](const Method& m) { return !is_asked(plan, m); });
   require_asked(plan);
   make_directory(o.out);
@@ -238,12 +237,11 @@ int run(const Options& o) {
 Action declare_sweep(Arguments& arguments, const MeshAxisMaker& maker) {
   const auto o = std::make_shared<Options>();
   o->of_mesh = maker;
-  arguments.option("--method,--methods", o->methods,
-                   std::string("methods, separated by commas (default ") + default_methods + ")");
+  add_methods_option(arguments, o->methods, default_methods);
   arguments.option("--axis,--axes", o->axes, axis_help(maker));
   arguments.option("--mesh", o->mesh,
                    "closed mesh (OFF, OBJ, PLY, STL) for the axis " + std::string(maker.name) + " (default: a torus)");
-  arguments.option("--seed", o->plan.seed, "seed of the cases").whole_number().shows_default();
+  arguments.option("--seed", o->plan.seed, "seed of the cases").shows_default();
   arguments.option("--count", o->plan.cases, "cases at each value of each axis, in each format")
       .between(std::uint64_t{1}, std::uint64_t{1} << 32)
       .shows_default();
@@ -264,9 +262,7 @@ Action declare_sweep(Arguments& arguments, const MeshAxisMaker& maker) {
   arguments.excludes("--mesh", "--map");
   arguments.excludes("--mesh", "--redraw");
   arguments.excludes("--redraw", "--map");
-  const Action action = with_plugins(arguments, [o] { return run(*o); });
-  arguments.needs("--plugin", "--method");  // else it would be loaded and not tried
-  return action;
+  return with_plugins(arguments, [o] { return run(*o); });
 }
 
 }  // namespace tribunal

@@ -17,12 +17,6 @@ namespace {
 
 constexpr std::size_t most_image_bytes = std::size_t{4} << 20, most_bytes_of_images = std::size_t{16} << 20;
 
-std::string percent(double share) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.3g %%", 100 * share);
-  return text;
-}
-
 /// A number of four bytes, the most significant first.
 std::uint32_t big_endian(std::string_view bytes) {
   std::uint32_t n = 0;
@@ -150,6 +144,14 @@ std::string command_of(const std::vector<std::string>& words) {
   };
   for (const std::string& word : words) text += " " + (is_option(word) ? word : shell_word(word));
   return text;
+}
+
+Json command_in(const Run& run) {
+  const Json words = run.record.value("command", Json());
+  if (!words.is_array() || !std::ranges::all_of(words, [](const Json& word) { return word.is_string(); })) return {};
+  auto all = words.get<std::vector<std::string>>();
+  all.insert(all.end(), {"--out", run.directory});
+  return command_of(all);
 }
 
 std::string joined(const Json& names) {

@@ -123,6 +123,9 @@ inline std::uint64_t number_in(const Json& row, const char* group, const char* k
 /// `tribunal WORDS…`, each word as a shell takes it.
 std::string command_of(const std::vector<std::string>& words);
 
+/// The command whose words the record holds, with --out for the run's directory; null of a record without words.
+Json command_in(const Run& run);
+
 /// "a,b".
 std::string joined(const Json& names);
 

@@ -7,6 +7,8 @@
 
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
+#include "exact/base/foreign_json.h"
+#include "exact/base/shown.h"
 #include "exact/cases/family_table.h"
 #include "exact/record/environment.h"
 #include "exact/report/classes.h"
@@ -162,19 +164,20 @@ Json gather_report(const ReportPlan& plan) {
     reading(r, [&] { gather(r, g); });
     runs.push_back(std::move(r.run.page));
   }
-  return {{"schema", 1},
-          {"made_with", environment()},
-          {"directories", plan.directories},
-          {"verdicts", g.verdicts()},
-          {"methods", g.methods()},
-          {"method_order", g.method_order()},
-          {"families", families_json(runs)},
-          {"runs", std::move(runs)},
-          {"answer_methods", g.book.answer_methods()},
-          {"cases", g.book.shown()},
-          {"classes", classes_json()},
-          {"images", g.images()},
-          {"left_out", g.left_out()}};
+  const Json report = {{"schema", 1},
+                       {"made_with", environment()},
+                       {"directories", plan.directories},
+                       {"verdicts", g.verdicts()},
+                       {"methods", g.methods()},
+                       {"method_order", g.method_order()},
+                       {"families", families_json(runs)},
+                       {"runs", std::move(runs)},
+                       {"answer_methods", g.book.answer_methods()},
+                       {"cases", g.book.shown()},
+                       {"classes", classes_json()},
+                       {"images", g.images()},
+                       {"left_out", g.left_out()}};
+  return with_strings(report, shown);  // names in it come from files
 }
 
 }  // namespace tribunal

@@ -16,6 +16,9 @@ for figure in $figures; do
   for ending in svg pdf png; do [ -s charts/$figure.$ending ] || { echo "no $figure.$ending" >&2; exit 1; }; done
 done
 
+expect 0 report charts --out page.html --json page.json
+says page.json "\"command\":\"tribunal chart --method $methods --seed 1 --count 326 --repetitions 9 --scenes $SOURCE_DIR/data/scenes/slivers.json --mesh $SOURCE_DIR/data/meshes/cow.off --rays 500 --quick --out charts\""
+
 # Drawn again from chart.json alone, without the plugin: the same bytes, nothing measured.
 mkdir again
 cp charts/chart.json again

@@ -163,6 +163,19 @@ int redraw(const std::string& directory) {
   return draw(directory, "");
 }
 
+/// The words that measure the same again, but for --out and for --threads, which change nothing that is measured.
+Json command_of(const Options& o, const ChartPlan& plan) {
+  const auto or_none = [](const std::string& file) { return file.empty() ? nothing : file; };
+  std::vector<std::string> words = {"chart"};
+  if (!o.methods.empty()) words.insert(words.end(), {"--method", o.methods});
+  words.insert(words.end(),
+               {"--seed", std::to_string(plan.seed), "--count", std::to_string(plan.cases), "--repetitions",
+                std::to_string(plan.repetitions), "--scenes", or_none(source_of(o.scenes, shipped_scenes)), "--mesh",
+                or_none(source_of(o.mesh, shipped_mesh)), "--rays", std::to_string(o.rays)});
+  if (o.quick) words.emplace_back("--quick");
+  return words;
+}
+
 int run(const Options& o) {
   if (!o.redraw.empty()) return redraw(o.redraw);
   const ChartPlan plan = plan_of(o);
@@ -173,6 +186,7 @@ int run(const Options& o) {
   require_judged(plan, chart);
   print(to_table(plan, chart));
   Json record = to_json(plan, chart);
+  record["command"] = command_of(o, plan);
   write_chart(o.out, record);
   add_part(o, record, [&] { add_pictures(o, plan, std::move(scenes), record); });
   add_part(o, record, [&] { add_leaks(o, plan, surfaces, record); });

@@ -6,11 +6,12 @@
 
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
+#include "exact/base/json.h"
 #include "exact/base/output.h"
 #include "exact/certificate/certificate.h"
 #include "exact/certificate/certify.h"
+#include "exact/certificate/judge_files.h"
 #include "exact/cli/command.h"
-#include "exact/record/judge_answers.h"
 #include "tracer/cli/command.h"
 #include "tracer/cli/judge_mesh.h"
 
@@ -78,16 +79,12 @@ Contract contract_of(const Options& o, bool any_bounds) {
           .culling = o.culls ? Culling::back_faces : Culling::none};
 }
 
-/// The log of a trial that consists of these cases and answers. It is about triangles if there are any.
-ChainedLog log_of(const Exam& exam, const AnswerSheet& sheet, const Contract& contract) {
-  const Method method = method_of(sheet, contract);
-  const bool triangles =
-      std::ranges::any_of(exam.truths, [](const Truth& t) { return t.operands() == Operands::triangles; });
+/// The log of a trial that consists of these answers. It is about triangles if there are any.
+ChainedLog log_of(const Judgement& judgement, const JudgedAnswers& answers) {
   ChainedLog log;
-  log_plan(log, method, triangles ? Operands::triangles : Operands::polygons, "the cases of a file", 0);
-  Given given{.answer = [&](std::size_t i) { return sheet.answers[i]; }};
-  if (sheet.gives_numbers()) given.numbers = [&](std::size_t i) { return sheet.numbers[i]; };
-  log_own_cases(log, method, exam.cases, exam.truths, given);
+  const Operands operands = judgement.any_triangles ? Operands::triangles : Operands::polygons;
+  log_plan(log, answers.method, operands, "the cases of a file", 0);
+  log_own_cases(log, answers.method, answers.counts);
   return log;
 }
 
@@ -115,23 +112,60 @@ std::string write_report(const std::string& out, std::vector<ChainedLog>& logs, 
 int run_cases(const Options& o) {
   if (o.cases == "-" && o.mesh.answers == "-")
     throw Failure(Exit::usage, "--cases and --answers are both standard input");
-  const Exam exam = read_exam(o.cases, o.mesh.trial.threads);
-  const Contract contract =
-      contract_of(o, std::ranges::any_of(exam.cases, [](const Case& c) { return c.query.bounds.has_value(); }));
+  const Rereadable cases(o.cases), answers(o.mesh.answers);
+  Judgement judgement = judge_files(cases, answers, contract_of(o, true), o.mesh.trial.threads);
   std::vector<ChainedLog> logs;
   std::vector<Certificate> all;
   std::string text;
   Count sum;
-  for (const AnswerSheet& sheet : read_answers(o.mesh.answers, exam)) {
-    logs.push_back(log_of(exam, sheet, contract));
+  std::uint64_t answered = 0, nonfinite = 0;
+  for (JudgedAnswers& of_method : judgement.methods) {
+    of_method.method.contract = contract_of(o, judgement.any_bounds);
+    logs.push_back(log_of(judgement, of_method));
+    of_method.counts = {};
     all.push_back(certificate_from(logs.back().so_far(), o.mesh.answers));
     sum += all.back().own();
+    answered += all.back().all_nonfinite().answered;
+    nonfinite += all.back().all_nonfinite().refused;
     text += to_summary(all.back());
   }
-  if (sum.judged() == 0) throw bad_input(o.mesh.answers, 0, "no answer is \"ok\" and owed, nothing to judge");
+  if (sum.judged() + answered + nonfinite == 0) {
+    throw bad_input(o.mesh.answers, 0,
+                    std::string("no answer is \"ok\" and owed, nothing to judge") +
+                        (o.culls ? "; with --culls none is owed about pierced polygons" : ""));
+  }
   if (!o.mesh.trial.out.empty()) text += write_report(o.mesh.trial.out, logs, all);
   print(text);
-  return code(sum.wrong > 0 ? Exit::disagreement : Exit::ok);
+  return code(sum.wrong + answered > 0 ? Exit::disagreement : Exit::ok);
+}
+
+/// The words that judge the same again: the files in the order given, and what the answers promise.
+std::vector<std::string> command_of(const Options& o) {
+  std::vector<std::string> words = {"judge"};
+  const auto add = [&](const char* option, const std::string& value, const std::string& otherwise = "") {
+    if (value != otherwise) words.insert(words.end(), {option, value});
+  };
+  const auto add_number = [&](const char* option, double value) {
+    if (value > 0) add(option, Json(value).dump());
+  };
+  const auto add_flag = [&](const char* option, bool given) {
+    if (given) words.emplace_back(option);
+  };
+  add("--cases", o.cases);
+  add("--mesh", o.mesh.trial.mesh);
+  add("--rays", o.mesh.rays);
+  add("--answers", o.mesh.answers);
+  add("--convention", o.convention, "closed");
+  add("--boundary", o.boundary);
+  add("--ends", o.ends, "closed");
+  add("--bounds", o.bounds, "closed");
+  add_flag("--culls", o.culls);
+  add_flag("--no-degenerate", o.no_degenerate);
+  add_flag("--sorted", o.mesh.promises.sorted);
+  add_number("--most-ulps", o.mesh.promises.most_ulps);
+  add_number("--most-degrees", o.mesh.promises.most_degrees);
+  add_flag("--normals-towards-source", o.towards_source);
+  return words;
 }
 
 int run(const Options& o) {
@@ -141,6 +175,7 @@ int run(const Options& o) {
   }
   if (cases) return run_cases(o);
   MeshAnswers answers = o.mesh;
+  answers.trial.command = command_of(o);
   answers.promises.contract = contract_of(o, false);
   if (o.towards_source) answers.promises.sense = leak::NormalSense::towards_source;
   return judge_mesh_answers(answers);

@@ -34,7 +34,11 @@ std::string file_name(const Subject& subject) {
 }
 
 Json summary_of(const MeshTrial& trial, const MeshTrialOptions& o) {
-  return {{"mesh", name_of_mesh(o)}, {"seed", o.seed}, {"trials", trial.summaries}, {"environment", environment()}};
+  return {{"mesh", name_of_mesh(o)},
+          {"seed", o.seed},
+          {"command", o.command},
+          {"trials", trial.summaries},
+          {"environment", environment()}};
 }
 
 /// Painted meshes of an earlier trial.
@@ -76,7 +80,7 @@ void add(MeshTrial& trial, const MeshTrialOptions& o, const Surface& surface, co
   for (std::size_t i = 0; i < subjects.size(); ++i) {
     const SubjectReport& s = report.subjects[i];
     trial.erred |= has_erred(s);
-    trial.verdicts += verdict(subjects[i], s, surface.format()) + worst_faces(s, 3);
+    trial.verdicts += verdict(surface, subjects[i], report, s) + worst_faces(s, 3);
     if (o.out.empty()) continue;
     const auto cases = cases_of(surface, subjects[i], s, name_of_mesh(o), o.seed);
     trial.cases.insert(trial.cases.end(), cases.begin(), cases.end());

@@ -36,12 +36,6 @@ struct Options {
   double scale = 1;
 };
 
-Method method_named(const std::string& name) {
-  const std::vector<Method> methods = methods_named(name);
-  if (methods.size() != 1) throw Failure(Exit::usage, "expected one method, found \"" + name + "\"");
-  return methods.front();
-}
-
 /// The acceleration of this name; the option's parser has refused all other names.
 Accel accel_named(std::string_view name) {
   for (const Accel a : {Accel::none, Accel::boxes}) {
@@ -330,8 +324,8 @@ std::string names_of(const std::vector<Output>& outputs) {
 
 int run(const Options& o) {
   const tbb::global_control builders(tbb::global_control::max_allowed_parallelism, o.threads);
-  std::vector<Method> methods{method_named(o.method)};
-  if (!o.against.empty()) methods.push_back(method_named(o.against));
+  std::vector<Method> methods{method_on_trial(o.method)};
+  if (!o.against.empty()) methods.push_back(method_on_trial(o.against));
   const std::vector<Output> outputs = outputs_of(o);
   require_writable(o, outputs);
   const Scene scene = scene_of(o);
@@ -401,12 +395,13 @@ Action declare_render(Arguments& arguments) {
   const auto o = std::make_shared<Options>();
   arguments.option("scene", o->scene, "scene file (JSON), or a mesh (.off, .obj, .ply, .stl), which is then framed")
       .required();
-  arguments.option("--method", o->method, "the method that decides what rays hit").required();
+  arguments.option("--method,--methods", o->method,
+                   "the method that decides what rays hit (default: that of a plugin)");
   arguments.option("--against", o->against, "a second method: report, draw and export the pixels that differ");
   arguments.option("-o,--out", o->out, "image file (PNG)").required();
   arguments.option("--size", o->size, "pixels, e.g. 640x480, instead of the scene's");
   arguments.option("--camera", o->eye, "X,Y,Z: the place of the eye, instead of the scene's or the chosen one");
-  arguments.option("--scale", o->scale, "factor of the vertices of a mesh, e.g. 1e-6");
+  arguments.option("--scale", o->scale, "factor of the vertices of a mesh, e.g. 1e-6").of_either_sign();
   arguments.option("--up", o->up, "the axis of a mesh that points up in the picture")
       .one_of({"x", "y", "z"})
       .shows_default();
