@@ -30,7 +30,8 @@ std::string program_file();
 /// The path without links and "..", of what is there and of what would be.
 std::string canonical_path(const std::string& path);
 
-/// Writes to standard output and checks that it arrived. Fails with Exit::output_failed.
+/// Writes to standard output and checks that it arrived. Fails with Exit::output_failed, and first where the
+/// floating-point environment has changed (fp_environment.h).
 void print(std::string_view text);
 
 /// Fails with Exit::usage if the two paths name the same existing file.

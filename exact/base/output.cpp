@@ -345,11 +345,15 @@ OutputFile::~OutputFile() = default;
 OutputFile::OutputFile(OutputFile&&) noexcept = default;
 OutputFile& OutputFile::operator=(OutputFile&&) noexcept = default;
 
-void OutputFile::write(std::string_view bytes) { staged_->write(bytes); }
+void OutputFile::write(std::string_view bytes) {
+  refuse_changed_rounding();
+  staged_->write(bytes);
+}
 
 std::string OutputFile::readable() { return staged_->readable(); }
 
 void OutputFile::commit(AfterSignal after) {
+  refuse_changed_rounding();
   staged_->finish();
   const UnbrokenEnd unbroken;
   if (after == AfterSignal::nothing) fail_if_interrupted("nothing written");
@@ -480,6 +484,7 @@ void OutputSet::adopt(const std::string& from, const std::string& path) {
 void OutputSet::drop(const std::string& path) { files_->dropped.push_back(path); }
 
 void OutputSet::commit(AfterSignal after) {
+  refuse_changed_rounding();
   files_->finish();
   const UnbrokenEnd unbroken;
   if (after == AfterSignal::nothing) fail_if_interrupted("nothing written");

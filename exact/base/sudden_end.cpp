@@ -10,6 +10,8 @@
 #include <new>
 #include <system_error>
 
+#include "exact/base/temporaries.h"
+
 namespace tribunal {
 namespace {
 
@@ -44,6 +46,7 @@ extern "C" void on_trap(int signal, siginfo_t* info, void*) {
 }  // namespace
 
 void end_at_once(Exit exit, std::string_view line) noexcept {
+  remove_temporaries();
   constexpr std::string_view start = "tribunal: ";
   constexpr std::string_view over_progress = "\r\x1b[K";  // which may stand on a terminal's line
   char text[over_progress.size() + start.size() + 1000 + 1];

@@ -8,8 +8,8 @@
 
 namespace tribunal {
 
-/// Writes `tribunal: line` to standard error by one call of write(2) and ends the process with the exit code. No
-/// destructor runs, and nothing that waits in a buffer is written. Lines are cut at 1000 bytes.
+/// Removes temporary files, writes `tribunal: line` to standard error by one call of write(2) and ends the process with
+/// the exit code. No destructor runs, and nothing that waits in a buffer is written. Lines are cut at 1000 bytes.
 [[noreturn]] void end_at_once(Exit exit, std::string_view line) noexcept;
 
 /// What a child process of ours ends with where this program's own memory failed in it, and says nothing.

@@ -4,7 +4,7 @@
 source "$(dirname "$0")/common.bash"
 
 python3 -B "$SOURCE_DIR/tests/faults/resources.py" --program "$TRIBUNAL" --source "$SOURCE_DIR" --scratch "$scratch" \
-  --most 4 --copies 1000 --commands version,help,classify,cases,judge,check,fuzz,fuzz-threads,shrink,replay,render,render-threads,leak,report,isolated
+  --most 2 --copies 200 --commands version,classify,cases,judge,verify,check,fuzz-threads,shrink,replay,render,render-threads,leak,report,isolated
 
 # Without one thread more, --threads 1 works.
 cd "$scratch"

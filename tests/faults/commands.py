@@ -19,7 +19,8 @@ COMMANDS = {
     "shrink": "shrink @/findings/counterexamples.jsonl",
     "replay": "replay @/findings/counterexamples.jsonl",
     "certify": "certify --method sf-double --budget quick --threads 2 --out certificate",
-    "verify": "verify @/certificate",
+    "verify": "verify @/judged",
+    "verify-certificate": "verify @/certificate",
     "render": "render @/scene.json --method sf-double --against sf-filtered --threads 1 -o image.png --stats stats.json",
     "render-threads": "render @/scene.json --method sf-double --threads 3 -o image.png",
     "leak": "leak @/octahedron.off --method woop-float,sf-filtered --rays 200 --threads 1 --out leaks",
@@ -29,7 +30,7 @@ COMMANDS = {
     "isolated": "classify --plugin @/plugin.so --isolate --time-limit 60 --method my-mt --in @/cases.jsonl",
     "redraw": "chart --redraw @/chart",
 }
-SLOW = {"certify", "verify", "sweep", "sweep-map", "redraw"}  # seconds a run
+SLOW = {"certify", "verify-certificate", "sweep", "sweep-map", "redraw"}  # seconds a run
 
 OCTAHEDRON = """OFF
 6 8 0
@@ -84,6 +85,8 @@ def prepare(program, source, inputs, names):
     lines = open(os.path.join(inputs, "findings/counterexamples.jsonl"), encoding="utf-8").readlines()
     write("findings/counterexamples.jsonl", lines[0])
     if "verify" in names:
+        run(0, "judge", "--cases", "cases.jsonl", "--answers", "answers.jsonl", "--out", "judged")
+    if "verify-certificate" in names:
         run(1, "certify", "--method", "sf-double", "--budget", "quick", "--threads", "2", "--out", "certificate")
     if "isolated" in names:
         compiled = [os.environ.get("CC", "cc"), "-O2", "-shared", "-fPIC", "-I", os.path.join(source, "exact/plugin"),

@@ -16,7 +16,7 @@ import commands
 
 FLOATING = ["ftz", "daz", "down", "up", "zero", "x87-53", "x87-24", "x87-up", "traps", "all"]
 LOCALES = ["locale", "c++locale"]
-THREADED = ["fuzz-threads", "render-threads", "certify", "verify"]
+THREADED = ["fuzz-threads", "render-threads", "certify", "verify-certificate"]
 
 parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
 parser.add_argument("--program", required=True)

@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -23,7 +24,7 @@ enum what { unknown, nothing, memory, map, threads };
 
 static enum what what = unknown;
 static long at = 0, calls = 0, copies = 0;
-static int after = 0, each = 0;
+static int after = 0, each = 0, is_the_copy = 0;
 
 static void read_environment(void) {
   const char* const name = getenv("FAULT_WHAT");
@@ -56,6 +57,7 @@ static int is_copy(long n) {
   if (copy < 0) _exit(95);
   if (copy == 0) {
     at = 0;
+    is_the_copy = 1;
     unsetenv("FAULT_COUNT");
     dup2(ends[1], STDERR_FILENO);
     dup2(ends[1], STDOUT_FILENO);
@@ -141,3 +143,9 @@ int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*
   }
   return fails(threads) ? EAGAIN : real(thread, attributes, run, with);
 }
+
+/* What a copy removes when it ends is the original's. */
+int unlinkat(int directory, const char *name, int flags) {
+  return is_the_copy ? 0 : (int)syscall(SYS_unlinkat, directory, name, flags);
+}
+int unlink(const char *name) { return unlinkat(AT_FDCWD, name, 0); }
