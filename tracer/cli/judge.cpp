@@ -123,7 +123,7 @@ int run_cases(const Options& o) {
   Count sum;
   for (const AnswerSheet& sheet : read_answers(o.mesh.answers, exam)) {
     logs.push_back(log_of(exam, sheet, contract));
-    all.push_back(certificate_from(logs.back().so_far(), o.mesh.answers));
+    all.push_back(certificate_from(logs.back().so_far()));
     sum += all.back().own();
     text += to_summary(all.back());
   }
