@@ -37,16 +37,16 @@ std::string range_of(std::uint64_t most) {
 
 }  // namespace
 
-const Json* Record::member(std::string_view key) const {
+const Json* Record::found(std::string_view key) const {
   object();
-  const auto found = value_->find(std::string(key));
-  return found == value_->end() ? nullptr : &*found;
+  const auto at = value_->find(std::string(key));
+  return at == value_->end() ? nullptr : &*at;
 }
 
 const Json& Record::needed(std::string_view key) const {
-  const Json* const found = member(key);
-  if (found == nullptr) fail("missing \"" + std::string(key) + "\"");
-  return *found;
+  const Json* const value = found(key);
+  if (value == nullptr) fail("missing \"" + std::string(key) + "\"");
+  return *value;
 }
 
 const Record& Record::object() const {
@@ -54,11 +54,11 @@ const Record& Record::object() const {
   return *this;
 }
 
-Record Record::at(std::string_view key) const { return of(key, needed(key)); }
+Record Record::member(std::string_view key) const { return of(key, needed(key)); }
 
 std::optional<Record> Record::find(std::string_view key) const {
-  const Json* const found = member(key);
-  return found == nullptr ? std::nullopt : std::optional(of(key, *found));
+  const Json* const value = found(key);
+  return value == nullptr ? std::nullopt : std::optional(of(key, *value));
 }
 
 std::vector<std::pair<std::string, Record>> Record::members() const {
@@ -112,6 +112,14 @@ std::string Record::text(std::string_view key) const {
   return value.is_string() ? value.get<std::string>() : of(key, value).text();
 }
 
+std::string Record::name(std::string_view key) const {
+  const Json& value = needed(key);
+  if (!value.is_string() || value.get_ref<const std::string&>().empty()) {
+    refuse(of(key, value), "a string that is not empty");
+  }
+  return value.get<std::string>();
+}
+
 bool Record::truth(std::string_view key) const {
   const Json& value = needed(key);
   return value.is_boolean() ? value.get<bool>() : of(key, value).truth();
@@ -124,12 +132,12 @@ std::uint64_t Record::count(std::string_view key, std::uint64_t most) const {
 }
 
 std::int64_t Record::integer(std::string_view key, std::int64_t least, std::int64_t most) const {
-  return at(key).integer(least, most);
+  return member(key).integer(least, most);
 }
 
 std::vector<Record> Record::items_or_none(std::string_view key) const {
-  const Json* const found = member(key);
-  return found == nullptr ? std::vector<Record>{} : of(key, *found).items();
+  const Json* const value = found(key);
+  return value == nullptr ? std::vector<Record>{} : of(key, *value).items();
 }
 
 std::string Record::text_or(std::string_view key, std::string_view otherwise) const {

@@ -35,8 +35,8 @@ class Record {
 
   // --- of an object ---
 
-  bool has(std::string_view key) const { return member(key) != nullptr; }
-  Record at(std::string_view key) const;
+  bool has(std::string_view key) const { return found(key) != nullptr; }
+  Record member(std::string_view key) const;
   std::optional<Record> find(std::string_view key) const;
   std::vector<std::pair<std::string, Record>> members() const;
   /// Fails at a member with another name.
@@ -62,13 +62,15 @@ class Record {
 
   // --- a member ---
 
-  std::vector<Record> items(std::string_view key) const { return at(key).items(); }
+  std::vector<Record> items(std::string_view key) const { return member(key).items(); }
   std::string text(std::string_view key) const;
+  /// A string that is not empty.
+  std::string name(std::string_view key) const;
   bool truth(std::string_view key) const;
   std::uint64_t count(std::string_view key, std::uint64_t most = most_count) const;
   std::uint64_t whole(std::string_view key) const { return count(key, ~std::uint64_t{0}); }
   std::int64_t integer(std::string_view key, std::int64_t least, std::int64_t most) const;
-  double number(std::string_view key) const { return at(key).number(); }
+  double number(std::string_view key) const { return member(key).number(); }
 
   // --- a member that may be missing; one of another type still fails ---
 
@@ -78,7 +80,7 @@ class Record {
   std::uint64_t count_or(std::string_view key, std::uint64_t otherwise, std::uint64_t most = most_count) const;
 
  private:
-  const Json* member(std::string_view key) const;
+  const Json* found(std::string_view key) const;
   const Json& needed(std::string_view key) const;
   Record of(std::string_view key, const Json& value) const { return {value, where_.key(key)}; }
 

@@ -6,6 +6,7 @@
 
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
+#include "exact/base/record.h"
 #include "exact/cases/case_line.h"
 #include "exact/classes/class_table.h"
 
@@ -14,11 +15,7 @@ namespace {
 
 constexpr std::size_t max_line = std::size_t{1} << 20;
 
-std::string to_text(const Json& object, const char* key, const Where& where) {
-  const Json& value = require(object, key, where);
-  if (!value.is_string()) where.key(key).fail("expected a string");
-  return value.get<std::string>();
-}
+std::string to_text(const Json& object, const char* key, const Where& where) { return Record(object, where).text(key); }
 
 Format to_format(const Json& object, const Where& where) {
   if (!object.contains("fmt")) return Format::binary64;

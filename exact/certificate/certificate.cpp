@@ -18,7 +18,7 @@ namespace tribunal {
 namespace {
 
 /// Whether the record's probes are rays.
-bool has_rays(const Record& r) { return one_of<bool>(r.at("probes"), {{"segment", false}, {"ray", true}}); }
+bool has_rays(const Record& r) { return one_of<bool>(r.member("probes"), {{"segment", false}, {"ray", true}}); }
 
 /// FNV-1a as log_plan's sets have it: sixteen digits.
 std::string hash_in(const Record& r) {
@@ -38,7 +38,7 @@ ProvedSet to_set(const Record& r) {
                 .size = r.count("size"),
                 .classes = r.count("classes", r.count("size")),
                 .complete = r.truth("complete"),
-                .count = to_count(r.at("count"))};
+                .count = to_count(r.member("count"))};
   if (set.count.asked > set.size) r.fail_at("count", "more cases than the set has");
   return set;
 }
@@ -97,9 +97,9 @@ std::vector<Stage> to_stages(const Record& plan) {
 /// A case as it will stand in counterexamples.jsonl. What its finding says is judged by `verify`.
 const Json& counterexample_in(const Record& r) {
   r.keys({"record", "case"});
-  const Record line = r.at("case");
+  const Record line = r.member("case");
   const Case c = to_case(line.json(), line.where());
-  const Record finding = line.at("finding");
+  const Record finding = line.member("finding");
   rank_of(c, finding.where());
   finding.text_or("fault", "");
   return line.json();
@@ -130,7 +130,7 @@ class LogReader {
     }
     operands_in(r);
     c_.plan = r.json();
-    c_.contract = to_contract(r.at("terms"));
+    c_.contract = to_contract(r.member("terms"));
     c_.stages = to_stages(r);
   }
 

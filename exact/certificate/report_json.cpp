@@ -166,7 +166,7 @@ Json environment_json(const Certificate& c) {
 std::map<std::string, std::size_t> faults_in(const Certificate& c) {
   std::map<std::string, std::size_t> faults;
   for (const Json& line : c.counterexamples) {
-    const Record finding = Record(line, {"log.jsonl"}).at("finding");
+    const Record finding = Record(line, {"log.jsonl"}).member("finding");
     if (finding.has("fault")) ++faults[finding.text("fault")];
   }
   return faults;

@@ -55,9 +55,9 @@ bool is_counterexample(const Case& c, const Record& finding) {
 
 /// Confirms the log's counterexample by the oracles alone; the method is not asked.
 void confirm(Verification& v, const Record& record) {
-  const Record line = record.at("case");
+  const Record line = record.member("case");
   const Case c = to_case(line.json(), line.where());
-  if (is_counterexample(c, line.at("finding"))) {
+  if (is_counterexample(c, line.member("finding"))) {
     ++v.confirmed;
   } else {
     v.faults.push_back("counterexample " + c.id + " is none");

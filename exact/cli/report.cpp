@@ -5,7 +5,7 @@
 
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
-#include "exact/base/json.h"
+#include "exact/base/record.h"
 #include "exact/cli/command.h"
 #include "exact/report/classes.h"
 
@@ -31,11 +31,12 @@ std::string printable(std::string text) {
 /// What the page says first, and what it does not show.
 std::string in_words(const Json& report, const std::string& out) {
   std::string text;
-  for (const Json& line : report["verdicts"]) {
-    const std::string detail = line["detail"];
-    text += printable(line["text"].get<std::string>() + (detail.empty() ? "" : "; " + detail)) + "\n";
+  const Record all(report, {out});
+  for (const Record& line : all.items("verdicts")) {
+    const std::string detail = line.text("detail");
+    text += printable(line.text("text") + (detail.empty() ? "" : "; " + detail)) + "\n";
   }
-  for (const Json& what : report["left_out"]) text += "left out: " + printable(what.get<std::string>()) + "\n";
+  for (const Record& what : all.items("left_out")) text += "left out: " + printable(what.text()) + "\n";
   return text + "\n" + std::to_string(report["runs"].size()) + " results, " + std::to_string(report["cases"].size()) +
          " cases; open " + printable(out) + "\n";
 }

@@ -133,7 +133,7 @@ Json to_json(const ComparePlan& plan, const std::vector<BuildRow>& rows) {
                 {"changed", r.changed},
                 {"spoiled", r.spoiled},
                 {"mended", r.mended}};
-    if (r.witness) row["witness"] = Json::parse(case_line(plan.methods[r.method], r.witness->query));
+    if (r.witness) row["witness"] = from_case({.id = plan.methods[r.method], .query = r.witness->query});
     table.push_back(row);
   }
   return {{"axis", "compiler"}, {"seed", plan.seed}, {"cases_of_each_format", plan.cases},

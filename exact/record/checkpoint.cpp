@@ -138,7 +138,7 @@ class CheckpointReader {
     const auto m = static_cast<std::size_t>(method - plan_.methods.begin());
     const auto s = static_cast<std::size_t>(stream - plan_.streams.begin());
     if (!rows_.insert({m, s, row.level}).second) record.fail("a second record of this method, family and level");
-    for (const auto& [slot, count] : row.counts) add_count({m, s, row.level, slot}, count, record.at("counts"));
+    for (const auto& [slot, count] : row.counts) add_count({m, s, row.level, slot}, count, record.member("counts"));
   }
 
   void add_count(const Cell& cell, const Count& count, const Record& counts) {
@@ -205,10 +205,10 @@ class CheckpointReader {
 
   static Outcome outcome_of(const Record& record) {
     const Outcome outcome =
-        one_of<Outcome>(record.at("outcome"), {{name_of(Outcome::false_hit), Outcome::false_hit},
-                                               {name_of(Outcome::false_miss), Outcome::false_miss},
-                                               {name_of(Outcome::wrong_contact), Outcome::wrong_contact},
-                                               {name_of(Outcome::fault), Outcome::fault}});
+        one_of<Outcome>(record.member("outcome"), {{name_of(Outcome::false_hit), Outcome::false_hit},
+                                                   {name_of(Outcome::false_miss), Outcome::false_miss},
+                                                   {name_of(Outcome::wrong_contact), Outcome::wrong_contact},
+                                                   {name_of(Outcome::fault), Outcome::fault}});
     if ((outcome == Outcome::fault) != record.has("fault"))
       record.fail_at("outcome", "expected \"fault\" beside a fault");
     return outcome;

@@ -24,7 +24,7 @@ void read(const Record& object, const char* key, const std::array<T, n>& values,
       return;
     }
   }
-  object.fail_at(key, "no word of a contract: " + object.at(key).json().dump());
+  object.fail_at(key, "no word of a contract: " + object.member(key).json().dump());
 }
 
 /// The same for a key that may be missing.
@@ -84,7 +84,7 @@ Contract to_contract(const Record& terms) {
   terms.keys({"probes", "triangles", "polygons", "coplanar", "boundary", "polygon_boundary", "ends", "bounds",
               "culling", "fmt", "exact"});
   Contract c;
-  c.probes = to_probes(terms.at("probes"));
+  c.probes = to_probes(terms.member("probes"));
   read(terms, "triangles", all_triangles, c.triangles);
   read(terms, "polygons", all_polygons, c.polygons);
   read(terms, "coplanar", conventions, c.convention);

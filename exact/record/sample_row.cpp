@@ -102,7 +102,7 @@ Json to_record(const SampleRow& row) {
 }
 
 Format format_of(const Record& record) {
-  return one_of<Format>(record.at("fmt"), {{"binary32", Format::binary32}, {"binary64", Format::binary64}});
+  return one_of<Format>(record.member("fmt"), {{"binary32", Format::binary32}, {"binary64", Format::binary64}});
 }
 
 SampleRow to_sample_row(const Record& record) {
@@ -114,7 +114,7 @@ SampleRow to_sample_row(const Record& record) {
   row.level = record.count("level");
   row.stress =
       static_cast<int>(record.integer("stress", std::numeric_limits<int>::min(), std::numeric_limits<int>::max()));
-  const Record counts = record.at("counts");
+  const Record counts = record.member("counts");
   for (const auto& [name, count] : counts.members()) row.counts[to_slot(name, counts)] = to_count(count);
   return row;
 }

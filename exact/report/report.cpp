@@ -22,7 +22,7 @@ std::string counterexamples(const Run&) { return "counterexamples.jsonl"; }
 std::string witnesses(const Run&) { return "witnesses.jsonl"; }
 std::string cases(const Run&) { return "cases.jsonl"; }
 std::string named_cases(const Run& run) {
-  return fs::path(run.record.at("files").value("cases", "")).filename().string();
+  return fs::path(run.all().member("files").text_or("cases", "")).filename().string();
 }
 
 constexpr std::array kinds = {
@@ -100,19 +100,6 @@ void add_results(const std::string& directory, std::vector<Result>& results, std
   if (!any) throw bad_input(directory, 0, std::string("holds no result, expected a file that ") + writers);
 }
 
-/// Turns what the JSON library says of a record with another shape into a failure of input.
-template <class Work>
-void reading(const Result& result, const Work& work) {
-  try {
-    work();
-  } catch (const Json::exception& error) {
-    std::string what = error.what();
-    if (const std::size_t at = what.find("] "); at != std::string::npos) what = what.substr(at + 2);
-    throw bad_input(result.run.path(result.run.file), 0,
-                    "not as `" + std::string(result.kind->name) + "` is written: " + what);
-  }
-}
-
 void read_cases(Result& result, CaseBook& book) {
   const std::string name = result.kind->cases(result.run);
   if (name.empty()) return;
@@ -124,6 +111,8 @@ void read_cases(Result& result, CaseBook& book) {
 Json start_of_page(const Result& result) {
   const Run& run = result.run;
   const Json& r = run.record;
+  if (r.contains("seed")) run.all().whole("seed");
+  if (const auto made_with = run.all().find("environment")) made_with->object();
   return {{"kind", result.kind->name},
           {"id", "run-" + std::to_string(run.number)},
           {"title", run.directory},
@@ -157,10 +146,10 @@ void gather(Result& result, Gathering& g) {
 Json families_json(const Json& runs) {
   Json families = Json::object();
   for (const Json& run : runs) {
-    for (const Json& name : run.value("families", Json::array())) {
-      const Family* family = find_family(name.get<std::string>());
-      families[name.get<std::string>()] = {
-          {"about", family != nullptr ? Json(family->stresses) : Json("cases of your own")}};
+    for (const Record& named : Record(run, {"page"}).items_or_none("families")) {
+      const std::string name = named.text();
+      const Family* family = find_family(name);
+      families[name] = {{"about", family != nullptr ? Json(family->stresses) : Json("cases of your own")}};
     }
   }
   return families;
@@ -173,11 +162,11 @@ Json gather_report(const ReportPlan& plan) {
   std::set<std::string> taken;
   for (const std::string& directory : plan.directories) add_results(directory, results, taken);
   Gathering g;
-  for (Result& r : results) reading(r, [&] { read_cases(r, g.book); });
+  for (Result& r : results) read_cases(r, g.book);
   g.book.choose(plan.most_cases);
   Json runs = Json::array();
   for (Result& r : results) {
-    reading(r, [&] { gather(r, g); });
+    gather(r, g);
     runs.push_back(std::move(r.run.page));
   }
   return {{"schema", 1},
