@@ -7,6 +7,7 @@
 #include "exact/base/interrupt.h"
 #include "exact/base/json.h"
 #include "exact/base/parallel.h"
+#include "exact/cases/case_io.h"
 #include "exact/cases/case_line.h"
 #include "exact/cases/family_table.h"
 #include "exact/certificate/rate.h"
