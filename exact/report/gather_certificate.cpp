@@ -115,11 +115,11 @@ Level level_of(const Record& r, const std::vector<Sum>& sums) {
 }
 
 /// The verdict, with the figures of the format that did worst, in the sample or on the user's own cases.
-Line line_of(std::size_t run, const std::string& method, const Record& r, const std::vector<Sum>& of_sample,
-             const std::vector<Sum>& of_own) {
+ReportLine line_of(std::size_t run, const std::string& method, const Record& r, const std::vector<Sum>& of_sample,
+                   const std::vector<Sum>& of_own) {
   std::vector<Sum> sums = of_sample;
   sums.insert(sums.end(), of_own.begin(), of_own.end());
-  Line line{.run = run, .method = method, .level = level_of(r, sums)};
+  ReportLine line{.run = run, .method = method, .level = level_of(r, sums)};
   line.text = method + ": " + r.text_or("verdict", "");
   line.detail = r.text_or("worst", "");
   if (sums.empty()) return line;

@@ -96,8 +96,8 @@ std::vector<std::string> method_names(const Record& r) {
   return r.has("methods") ? names_in(r.items("methods"), "name") : names_in(r.items("counts"), "method");
 }
 
-Line relations_line(std::size_t run, const std::string& method, const std::string& fmt, std::uint64_t asked,
-                    std::uint64_t broken) {
+ReportLine relations_line(std::size_t run, const std::string& method, const std::string& fmt, std::uint64_t asked,
+                          std::uint64_t broken) {
   return {.run = run,
           .method = method,
           .level = broken > 0 ? Level::relations : Level::nothing,

@@ -7,7 +7,7 @@ namespace tribunal {
 namespace {
 
 /// Leaks are worse than any other error; errors beside them are wrong answers on the boundaries of faces.
-Line leak_line(std::size_t run, const Record& subject, const std::string& fmt, const std::string& mesh) {
+ReportLine leak_line(std::size_t run, const Record& subject, const std::string& fmt, const std::string& mesh) {
   const Record all = subject.member("all");
   const std::uint64_t rays = number_in(all, "rays"), leaks = number_in(all, "leak");
   std::uint64_t others = 0;
@@ -20,7 +20,7 @@ Line leak_line(std::size_t run, const Record& subject, const std::string& fmt, c
   }
   require_part(all, leaks, rays, "leak");
   const std::string name = subject.text("name");
-  Line line{.run = run, .method = name, .fmt = fmt, .detail = detail, .wrong = leaks, .judged = rays};
+  ReportLine line{.run = run, .method = name, .fmt = fmt, .detail = detail, .wrong = leaks, .judged = rays};
   line.level = leaks > 0                     ? Level::leaks
                : number_in(all, "fault") > 0 ? Level::fault
                : others > 0                  ? Level::boundary

@@ -69,12 +69,13 @@ Level level_of(const CaseBook& book, std::size_t run, const std::string& method)
   return Level::boundary;
 }
 
-Line line_for(const Run& run, const CaseBook& book, const std::string& method, std::uint64_t wrong, const Blame& b) {
+ReportLine line_for(const Run& run, const CaseBook& book, const std::string& method, std::uint64_t wrong,
+                    const Blame& b) {
   const Record r = run.all();
   const auto [width, height] = size_of(r);
   const std::uint64_t pixels = width * height;
   const std::uint64_t judged = pixels - std::min(pixels, b.unexamined);
-  Line line{.run = run.number, .method = method, .fmt = r.text_or("fmt", ""), .wrong = wrong, .judged = judged};
+  ReportLine line{.run = run.number, .method = method, .fmt = r.text_or("fmt", ""), .wrong = wrong, .judged = judged};
   if (wrong > 0) {
     line.level = level_of(book, run.number, method);
     line.text = method + ": " + share_in_words(wrong, judged) + " pixels show a wrong answer";

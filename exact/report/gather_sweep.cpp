@@ -93,8 +93,9 @@ std::string first_failure(const Record& r, const Along& a, const std::string& me
 }
 
 /// No bound stands here: how many of the cases are easy depends on how many easy values the axes have.
-Line sweep_line(const Run& run, const Along& a, const std::string& method, const std::string& fmt, bool of_mesh) {
-  Line line{.run = run.number, .method = method, .fmt = fmt, .wrong = a.figures.wrong, .judged = a.figures.judged};
+ReportLine sweep_line(const Run& run, const Along& a, const std::string& method, const std::string& fmt, bool of_mesh) {
+  ReportLine line{
+      .run = run.number, .method = method, .fmt = fmt, .wrong = a.figures.wrong, .judged = a.figures.judged};
   const std::string what = " " + fmt + (of_mesh ? " rays at a mesh" : " cases") + " along " +
                            (a.axes.size() == 1 ? "the axis " + a.axes[0] : std::to_string(a.axes.size()) + " axes");
   if (line.wrong == 0) {
@@ -140,7 +141,7 @@ bool has_own_mesh(const Record& r) {
 }
 
 /// A failure map is made of segments around one contact: what is wrong there is wrong on a boundary.
-Line map_line(std::size_t run, const Record& panel, const std::string& map) {
+ReportLine map_line(std::size_t run, const Record& panel, const std::string& map) {
   const auto count = [&](const char* key) { return number_in(panel, "counts", key); };
   const std::uint64_t wrong = count("false hit") + count("false miss") + count("wrong contact") + count("fault");
   const std::uint64_t judged = wrong + count("right");

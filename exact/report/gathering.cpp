@@ -99,13 +99,13 @@ Json Gathering::method_order() const {
 }
 
 Json Gathering::verdicts() const {
-  std::vector<Line> lines = lines_;
-  const auto share = [](const Line& l) {
+  std::vector<ReportLine> lines = lines_;
+  const auto share = [](const ReportLine& l) {
     return l.judged == 0 ? 0.0 : static_cast<double>(l.wrong) / static_cast<double>(l.judged);
   };
-  std::ranges::stable_sort(lines, {}, [&](const Line& l) { return std::tuple(l.level, -share(l)); });
+  std::ranges::stable_sort(lines, {}, [&](const ReportLine& l) { return std::tuple(l.level, -share(l)); });
   Json all = Json::array();
-  for (const Line& l : lines) {
+  for (const ReportLine& l : lines) {
     Json row = {{"run", l.run},       {"method", l.method}, {"level", name_of(l.level)}, {"text", l.text},
                 {"detail", l.detail}, {"wrong", l.wrong},   {"judged", l.judged}};
     if (!l.fmt.empty()) row["fmt"] = l.fmt;
@@ -159,8 +159,8 @@ void require_part(const Record& row, std::uint64_t part, std::uint64_t whole, co
   }
 }
 
-Line line_of(std::size_t run, const std::string& method, const std::string& fmt, const Figures& counts) {
-  Line line{.run = run, .method = method, .level = worst_level(counts), .fmt = fmt};
+ReportLine line_of(std::size_t run, const std::string& method, const std::string& fmt, const Figures& counts) {
+  ReportLine line{.run = run, .method = method, .level = worst_level(counts), .fmt = fmt};
   line.wrong = counts.wrong;
   line.judged = counts.judged;
   if (line.judged == 0) {

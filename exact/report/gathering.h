@@ -29,7 +29,7 @@ enum class Level : std::uint8_t {
 std::string_view name_of(Level level);
 
 /// One line of a report: what one run says of one method, in one format if there is one.
-struct Line {
+struct ReportLine {
   std::size_t run = 0;
   std::string method{};
   Level level = Level::nothing;
@@ -62,7 +62,7 @@ class Gathering {
   /// The same of a method of which no more is said.
   std::string add_method(const std::string& name);
 
-  void add(Line line) { lines_.push_back(std::move(line)); }
+  void add(ReportLine line) { lines_.push_back(std::move(line)); }
   void leave_out(Run& run, const std::string& what);
 
   /// A picture beside the run's file, as a data URI: its number, or null if it is missing, or too large for a page.
@@ -80,12 +80,12 @@ class Gathering {
 
  private:
   Json methods_ = Json::object(), images_ = Json::array(), left_out_ = Json::array();
-  std::vector<Line> lines_;
+  std::vector<ReportLine> lines_;
   std::size_t image_bytes_ = 0;
 };
 
 /// A kind of result: how its file is recognised, which cases belong to it, and how the page's members are made of it.
-struct Kind {
+struct ResultKind {
   std::string_view name;
   std::string_view prefix, suffix;   ///< of the file's name
   std::string_view key;              ///< that the record has
@@ -122,7 +122,7 @@ Level worst_level(const Figures& f);
 
 /// The level, and as `text` "mine: wrong in 2 of 8 (25 %) binary64 cases", or "mine: nothing wrong in 8 binary64 cases"
 /// with the `detail` "so at most 31.2 % wrong of such cases, with 95 % confidence".
-Line line_of(std::size_t run, const std::string& method, const std::string& fmt, const Figures& counts);
+ReportLine line_of(std::size_t run, const std::string& method, const std::string& fmt, const Figures& counts);
 
 /// A count of a record, or of a group of it; 0 where the record leaves it out.
 inline std::uint64_t number_in(const Record& row, const char* key) { return row.count_or(key, 0); }

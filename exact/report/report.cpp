@@ -26,34 +26,34 @@ std::string named_cases(const Run& run) {
 }
 
 constexpr std::array kinds = {
-    Kind{"fuzz", "summary", ".json", "counts", counterexamples, gather_fuzz},
-    Kind{"relations", "relations", ".json", "relations", witnesses, gather_relations},
-    Kind{"certificate", "certificate", ".json", "verdict", counterexamples, gather_certificate},
-    Kind{"sweep", "sweep", ".json", "thresholds", witnesses, gather_sweep},
-    Kind{"compilers", "compilers", ".json", "builds", no_cases, gather_compilers},
-    Kind{"map", "map-", ".json", "panels", no_cases, gather_map},
-    Kind{"render", "", ".diff.json", "pixels", named_cases, gather_render},
-    Kind{"leak", "summary", ".json", "trials", cases, gather_leak},
-    Kind{"chart", "chart", ".json", "speed", no_cases, gather_chart},
-    Kind{"bench", "bench", ".json", "benchmarks", no_cases, gather_bench},
+    ResultKind{"fuzz", "summary", ".json", "counts", counterexamples, gather_fuzz},
+    ResultKind{"relations", "relations", ".json", "relations", witnesses, gather_relations},
+    ResultKind{"certificate", "certificate", ".json", "verdict", counterexamples, gather_certificate},
+    ResultKind{"sweep", "sweep", ".json", "thresholds", witnesses, gather_sweep},
+    ResultKind{"compilers", "compilers", ".json", "builds", no_cases, gather_compilers},
+    ResultKind{"map", "map-", ".json", "panels", no_cases, gather_map},
+    ResultKind{"render", "", ".diff.json", "pixels", named_cases, gather_render},
+    ResultKind{"leak", "summary", ".json", "trials", cases, gather_leak},
+    ResultKind{"chart", "chart", ".json", "speed", no_cases, gather_chart},
+    ResultKind{"bench", "bench", ".json", "benchmarks", no_cases, gather_bench},
 };
 
 constexpr const char* writers = "fuzz, certify, judge, sweep, chart, leak, render --against or bench wrote";
 
 struct Result {
-  const Kind* kind;
+  const ResultKind* kind;
   Run run;
 };
 
 /// Whether a file of this name may be a result.
 bool may_be_result(const std::string& name) {
-  return std::ranges::any_of(kinds, [&](const Kind& k) {
+  return std::ranges::any_of(kinds, [&](const ResultKind& k) {
     return name.starts_with(k.prefix) && name.ends_with(k.suffix) && name.size() >= k.prefix.size() + k.suffix.size();
   });
 }
 
-const Kind* kind_of(const std::string& name, const Json& record) {
-  for (const Kind& k : kinds) {
+const ResultKind* kind_of(const std::string& name, const Json& record) {
+  for (const ResultKind& k : kinds) {
     if (name.starts_with(k.prefix) && name.ends_with(k.suffix) && record.is_object() && record.contains(k.key)) {
       return &k;
     }
@@ -87,7 +87,7 @@ void add_results(const std::string& directory, std::vector<Result>& results, std
   for (const fs::path& path : files_in(directory)) {
     const std::string file = path.string(), name = path.filename().string();
     Json record = parse_json(read_file(file), {file});
-    const Kind* kind = kind_of(name, record);
+    const ResultKind* kind = kind_of(name, record);
     if (kind == nullptr) continue;
     any = true;
     if (!taken.insert(fs::weakly_canonical(path).string()).second) continue;
