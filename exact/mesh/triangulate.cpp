@@ -4,7 +4,7 @@
 
 #include "exact/base/failure.h"
 #include "exact/filtered/filtered_kernel.h"
-#include "exact/mesh/ear_clipping.h"
+#include "exact/mesh/sweep_triangles.h"
 
 namespace tribunal {
 namespace {
@@ -94,6 +94,14 @@ void add_fan(const IndexRing& ring, std::vector<std::array<std::uint32_t, 3>>& t
   for (std::size_t i = 1; i + 1 < ring.size(); ++i) triangles.push_back({ring[0], ring[i], ring[i + 1]});
 }
 
+std::optional<std::vector<std::array<std::uint32_t, 3>>> swept(const Rings& face, const std::vector<Point3>& points) {
+  const FlatFace flat = flattened(face, points);
+  auto triangles = sweep_triangles(flat);
+  if (!triangles) return std::nullopt;
+  for (auto& t : *triangles) t = {flat.corners[t[0]], flat.corners[t[1]], flat.corners[t[2]]};
+  return triangles;
+}
+
 }  // namespace
 
 Mesh mesh_of(PolygonSoup soup) {
@@ -112,7 +120,7 @@ Mesh mesh_of(PolygonSoup soup) {
 
 std::optional<std::vector<std::array<std::uint32_t, 3>>> triangulate(const Rings& face,
                                                                      const std::vector<Point3>& points) {
-  if (face.size() > 1 || !fan_is_polygon(face[0], points)) return clip_ears(face, points);
+  if (face.size() > 1 || !fan_is_polygon(face[0], points)) return swept(face, points);
   std::vector<std::array<std::uint32_t, 3>> triangles;
   add_fan(face[0], triangles);
   return triangles;
@@ -122,8 +130,10 @@ Mesh triangulated(Mesh mesh, const std::string& file) {
   for (std::size_t f = 0; f < mesh.polygons.size(); ++f) {
     const auto triangles = triangulate(mesh.polygons[f], mesh.vertices);
     if (!triangles) {
-      throw bad_input(file, 0,
-                      "concave face " + std::to_string(f) + ": its edges cross or touch, expected a simple polygon");
+      throw bad_input(
+          file, 0,
+          "concave face " + std::to_string(f) +
+              ": its edges cross, or it winds around a point twice or backwards; expected a simple polygon");
     }
     mesh.triangles.insert(mesh.triangles.end(), triangles->begin(), triangles->end());
   }

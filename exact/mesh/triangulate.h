@@ -16,11 +16,10 @@ namespace tribunal {
 /// Corners may leave the plane a little, as they do after rounding; the fan is then the surface.
 Mesh mesh_of(PolygonSoup soup);
 
-/// Triangles that tile the face, none of them turned against the outer ring: the fan if it does, else holes are joined
-/// to the outer ring by bridges and ears are cut. Nothing if that fails, as it must where rings cross each other or
-/// wind around a point twice. Decided by exact signs in one projection: found for every planar face whose rings are
-/// simple and disjoint; for others, whose rings may touch, it is right if there is one. Source: Meisters, "Polygons
-/// have ears", American Mathematical Monthly 82(6), 1975; Eberly, "Triangulation by ear clipping", 2002 (bridges).
+/// Triangles that tile the face, none of them turned against the outer ring: the fan if it does, else those of a sweep
+/// line, which take the first of corners at one place. Nothing where two edges cross at an inner point of both, and
+/// where the rings wind around a point otherwise than once or not at all (holes run against the outer ring, whatever
+/// their order says). Decided by exact signs in one projection. Cost: n log n (exact/mesh/sweep_triangles.h).
 std::optional<std::vector<std::array<std::uint32_t, 3>>> triangulate(const Rings& face,
                                                                      const std::vector<Point3>& points);
 

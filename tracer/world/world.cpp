@@ -93,9 +93,10 @@ class Gatherer {
     }
     const auto triangles = triangulate(face, points);
     if (!triangles) {
-      fail(solid, "polygonal face " + std::to_string(number) +
-                      " is not planar, or must be triangulated for this method and its rings meet; expected "
-                      "simple, disjoint rings");
+      fail(solid,
+           "polygonal face " + std::to_string(number) +
+               " is not planar, or must be triangulated for this method, and its rings cross or wind around a point "
+               "twice; expected simple rings, the holes inside the outer one");
     }
     for (const auto& t : *triangles) add_triangle(points, t, solid);
   }

@@ -1,4 +1,6 @@
-// Triangulation of a polygon with holes by ear clipping.
+// Triangulation of a polygon with holes by ear clipping: slow, and the reference of the sweep. Source: Meisters,
+// "Polygons have ears", American Mathematical Monthly 82(6), 1975; Eberly, "Triangulation by ear clipping", 2002
+// (bridges).
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-#include "exact/mesh/ear_clipping.h"
+#include "tests/exact/mesh/ear_clipping.h"
 
 #include <algorithm>
 #include <cmath>
