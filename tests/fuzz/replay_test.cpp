@@ -45,7 +45,7 @@ TEST_P(Corpora, CutShortAreAcceptedRightlyOrRefused) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Fuzzed, Corpora, testing::ValuesIn(targets),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& target) { return std::string(target.param.name); });
 
 TEST(CorporaFolder, HasAFolderForEveryTargetAndNoOther) {
   std::size_t folders = 0;
