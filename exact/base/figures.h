@@ -4,15 +4,25 @@
 #include <string>
 #include <vector>
 
+#include "exact/base/output.h"
+
 namespace tribunal {
 
 /// What a script exits with if a module is missing that it draws with.
 inline constexpr int script_lacks_module = 69;
 
-/// Writes the script to the directory as plot.py and runs `plot.py DIRECTORY/record DIRECTORY`; returns the lines that
-/// it prints. Fails with Exit::resources where there is no Python with matplotlib, with Exit::bad_input where the
-/// script cannot draw the record, and with 128 + signal if interrupted; plot.log then says what the script said.
+/// Names of figures without their endings; "axis-*" is all that begin so.
+using FigureNames = std::vector<std::string>;
+
+/// The figures of these names are of an earlier record: they go when the set appears.
+void drop_figures(OutputSet& set, const std::string& directory, const FigureNames& names);
+
+/// Writes the script to the directory as plot.py and runs `plot.py DIRECTORY/record ELSEWHERE`; the figures appear in
+/// the directory together, once all are drawn, and those of these names that were not drawn go. Returns the lines that
+/// the script prints. Fails with Exit::resources where there is no Python with matplotlib, with Exit::bad_input where
+/// a text in the record does not show as it is or the script cannot draw it, and with 128 + signal if interrupted.
+/// Where it failed by itself, plot.log says how.
 std::vector<std::string> draw_figures(const std::string& directory, const std::string& script,
-                                      const std::string& record);
+                                      const std::string& record, const FigureNames& names);
 
 }  // namespace tribunal

@@ -1,7 +1,6 @@
 #include "exact/base/files.h"
 
-#include <unistd.h>
-
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -11,6 +10,8 @@
 #include <system_error>
 
 #include "exact/base/failure.h"
+#include "exact/base/fp_environment.h"
+#include "exact/base/shown.h"
 
 namespace tribunal {
 namespace {
@@ -34,11 +35,30 @@ void write_all(std::FILE* out, std::string_view bytes, const std::string& name) 
   if (!written) throw output_failed(name, errno);
 }
 
-/// `name` is what messages call the file.
-void write_in_place(const std::string& path, std::string_view bytes, const std::string& name) {
-  const File out(std::fopen(path.c_str(), "wb"));
-  if (!out) throw output_failed(name, errno);
-  write_all(out.get(), bytes, name);
+/// Fails with Exit::bad_input where the system refuses to say.
+fs::file_status status_of(const std::string& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (status.type() == fs::file_type::none) throw bad_input(path, 0, "cannot read: " + error.message());
+  return status;
+}
+
+/// The paths of those entries that are wanted, sorted. A step that fails ends the walk: the iterator is then equal to
+/// the end.
+template <class Iterator, class Wanted>
+std::vector<std::string> walk(const std::string& directory, const Wanted& wanted) {
+  std::error_code error;
+  std::vector<std::string> paths;
+  Iterator at(directory, error);
+  if (error) throw bad_input(directory, 0, "cannot be read as a directory (" + error.message() + ")");
+  std::string last = directory;
+  for (; at != Iterator(); at.increment(error)) {
+    last = at->path().string();
+    if (wanted(*at)) paths.push_back(last);
+  }
+  if (error) throw bad_input(last, 0, "cannot be read, or what follows it (" + error.message() + ")");
+  std::ranges::sort(paths);
+  return paths;
 }
 
 /// The name that the file has or would have, absolute, without links and "..".
@@ -51,15 +71,32 @@ fs::path resolved(const std::string& path) {
 
 }  // namespace
 
-/// A device or a pipe cannot be renamed over; it is written in place.
-bool is_special(const std::string& path) {
-  std::error_code ignored;
-  const fs::file_status status = fs::status(path, ignored);
-  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+bool exists(const std::string& path) { return status_of(path).type() != fs::file_type::not_found; }
+
+bool is_directory(const std::string& path) { return fs::is_directory(status_of(path)); }
+
+bool is_regular_file(const std::string& path) { return fs::is_regular_file(status_of(path)); }
+
+std::vector<std::string> files_in(const std::string& directory) {
+  return walk<fs::directory_iterator>(directory, [](const fs::directory_entry&) { return true; });
 }
 
+std::vector<std::string> files_below(const std::string& directory) {
+  return walk<fs::recursive_directory_iterator>(directory, [](const fs::directory_entry& entry) {
+    std::error_code unknown;
+    return entry.is_regular_file(unknown);
+  });
+}
+
+std::string program_file() {
+  std::error_code error;
+  return fs::read_symlink("/proc/self/exe", error).string();
+}
+
+std::string canonical_path(const std::string& path) { return resolved(path).string(); }
+
 std::string read_file(const std::string& path, std::size_t limit) {
-  if (path != "-" && fs::is_directory(path)) throw bad_input(path, 0, "is a directory, expected a file");
+  if (path != "-" && is_directory(path)) throw bad_input(path, 0, "is a directory, expected a file");
   const File in(path == "-" ? stdin : std::fopen(path.c_str(), "rb"));
   if (!in) throw bad_input(path, 0, std::string("cannot read: ") + std::strerror(errno));
   std::string bytes;
@@ -72,32 +109,14 @@ std::string read_file(const std::string& path, std::size_t limit) {
   return bytes;
 }
 
-void write_file(const std::string& path, std::string_view bytes) {
-  if (path == "-") return print(bytes);
-  if (is_special(path)) return write_in_place(path, bytes, path);
-  const std::string temporary = path + ".tmp" + std::to_string(getpid());
-  try {
-    write_in_place(temporary, bytes, path);
-    std::error_code error;
-    fs::rename(temporary, path, error);
-    if (error) throw output_failed(path, error.value());
-  } catch (...) {
-    std::remove(temporary.c_str());
-    throw;
-  }
+void print(std::string_view text) {
+  refuse_changed_rounding();
+  write_all(stdout, shown_lines(text), "standard output");
 }
-
-void make_directory(const std::string& path) {
-  std::error_code error;
-  fs::create_directories(path, error);
-  if (error || !fs::is_directory(path)) throw output_failed(path, error ? error.value() : ENOTDIR);
-}
-
-void print(std::string_view text) { write_all(stdout, text, "standard output"); }
 
 void require_different(const std::string& input, const std::string& output) {
   std::error_code ignored;
-  if (input != "-" && output != "-" && fs::equivalent(input, output, ignored)) {
+  if (input != "-" && output != "-" && fs::is_regular_file(output, ignored) && fs::equivalent(input, output, ignored)) {
     throw Failure(Exit::usage, output + ": output is the same file as the input");
   }
 }

@@ -1,4 +1,4 @@
-// Reading whole files, and writing them so that no reader sees a file half written.
+// Reading files and asking about them. What is written goes through exact/base/output.h.
 #pragma once
 
 #include <cstddef>
@@ -12,15 +12,23 @@ namespace tribunal {
 /// directory, unreadable or larger than `limit` bytes.
 std::string read_file(const std::string& path, std::size_t limit = std::size_t{1} << 32);
 
-/// Whether the path names a device or a pipe, which is written in place and has no contents to lose.
-bool is_special(const std::string& path);
+/// Whether there is something of that name. Fails with Exit::bad_input where the system refuses to say, as it does of
+/// names that are too long and of folders that may not be searched.
+bool exists(const std::string& path);
+bool is_directory(const std::string& path);
+bool is_regular_file(const std::string& path);
 
-/// Writes to a temporary name beside `path` and renames; "-" is standard output. Fails with Exit::output_failed; the
-/// message names `path`, not the temporary name.
-void write_file(const std::string& path, std::string_view bytes);
+/// The paths of what a directory holds, in order of names. Fails with Exit::bad_input if it is none, or unreadable.
+std::vector<std::string> files_in(const std::string& directory);
 
-/// Creates the directory and its parents. Fails with Exit::output_failed.
-void make_directory(const std::string& path);
+/// The same of regular files there and in all directories below. Links to directories are not followed.
+std::vector<std::string> files_below(const std::string& directory);
+
+/// The file that this process runs; empty where the system does not say.
+std::string program_file();
+
+/// The path without links and "..", of what is there and of what would be.
+std::string canonical_path(const std::string& path);
 
 /// Writes to standard output and checks that it arrived. Fails with Exit::output_failed.
 void print(std::string_view text);

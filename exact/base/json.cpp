@@ -4,15 +4,24 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <optional>
 #include <set>
 
 #include "exact/base/failure.h"
+#include "exact/base/foreign_json.h"
+#include "exact/base/shown.h"
 #include "exact/base/suggestion.h"
 
 namespace tribunal {
 namespace {
 
 constexpr int max_depth = 64;
+
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
+/// Beyond any power of ten that matters.
+constexpr long max_power = 1'000'000'000'000;
 
 /// Nesting depth outside strings, so that a depth bomb is refused before the parser allocates for it.
 int depth_of(std::string_view text) {
@@ -55,34 +64,87 @@ bool parse_hex_float(std::string_view text, double& x) {
   return error == std::errc{} || error == std::errc::result_out_of_range;
 }
 
-/// A parser callback that fails on the second key of one name in an object; the parser itself keeps the last.
-Json::parser_callback_t refuse_duplicates(const Where& where) {
-  return [where, open = std::vector<std::set<std::string>>()](int, Json::parse_event_t event, Json& parsed) mutable {
+/// What becomes of a number like 1e999, beyond binary64: the text is refused, or the number is infinite.
+enum class Beyond { refused, infinite };
+
+// --- what the parser would misread --------------------------------------------------------------------------------
+
+/// The power of ten of the first digit that is not 0, of a decimal number other than 0 without a sign.
+long magnitude(std::string_view number) {
+  const std::size_t e = std::min(number.find_first_of("eE"), number.size());
+  const std::string_view digits = number.substr(0, e);
+  const auto point = static_cast<long>(std::min(digits.find('.'), digits.size()));
+  const auto first = static_cast<long>(digits.find_first_of("123456789"));
+  long exponent = 0;
+  if (e < number.size()) {
+    std::string_view power = number.substr(e + 1);
+    if (power.starts_with('+')) power.remove_prefix(1);
+    const auto [end, error] = std::from_chars(power.data(), power.data() + power.size(), exponent);
+    if (error == std::errc::result_out_of_range) exponent = power.starts_with('-') ? -max_power : max_power;
+  }
+  return std::clamp(exponent, -max_power, max_power) + (first < point ? point - first - 1 : point - first);
+}
+
+/// Whether a JSON number rounds to infinity in binary64.
+bool is_beyond_binary64(std::string_view number) {
+  if (number.starts_with('-')) number.remove_prefix(1);
+  if (number.size() < 300 && number.find_first_of("eE") == std::string_view::npos) return false;
+  double x = 0;
+  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), x);
+  return error == std::errc::result_out_of_range && magnitude(number) > 0;
+}
+
+/// A JSON text in which no number is one that the parser misreads.
+struct Readable {
+  std::string text{};
+  std::map<std::size_t, double> infinite{};  ///< by their place among the numbers: those that stand as 0 in the text
+};
+
+/// The parser reads -0 as the integer 0; -0.0 keeps its sign. At a number beyond binary64 it stops: where such numbers
+/// are infinite, they are written as zeros of the same length.
+Readable readable(std::string_view text, Beyond beyond) {
+  constexpr std::string_view in_numbers = "+-.0123456789Ee";
+  Readable result;
+  bool in_string = false;
+  std::size_t numbers = 0;
+  for (std::size_t i = 0; i < text.size();) {
+    const char c = text[i];
+    const bool number = !in_string && (c == '-' || (c >= '0' && c <= '9'));
+    const std::size_t end = number                   ? std::min(text.find_first_not_of(in_numbers, i), text.size())
+                            : in_string && c == '\\' ? std::min(i + 2, text.size())
+                                                     : i + 1;
+    const std::string_view word = text.substr(i, end - i);
+    i = end;
+    if (c == '"') in_string = !in_string;
+    if (number && beyond == Beyond::infinite && is_beyond_binary64(word)) {
+      const double infinity = std::numeric_limits<double>::infinity();
+      result.infinite[numbers] = c == '-' ? -infinity : infinity;
+      result.text += '0';
+      result.text.append(word.size() - 1, ' ');
+    } else {
+      result.text += word;
+      if (word == "-0") result.text += ".0";
+    }
+    numbers += number ? 1 : 0;
+  }
+  return result;
+}
+
+/// A parser callback that fails on the second key of one name in an object, of which the parser itself keeps the last,
+/// and makes those numbers infinite.
+Json::parser_callback_t callback(const Where& where, const std::map<std::size_t, double>& infinite) {
+  return [&where, &infinite, numbers = std::size_t{0}, open = std::vector<std::set<std::string>>()](
+             int, Json::parse_event_t event, Json& parsed) mutable {
     if (event == Json::parse_event_t::object_start) open.emplace_back();
     if (event == Json::parse_event_t::object_end) open.pop_back();
     if (event == Json::parse_event_t::key && !open.back().insert(parsed.get<std::string>()).second) {
       where.fail("key \"" + parsed.get<std::string>() + "\" twice in one object");
     }
+    if (event == Json::parse_event_t::value && parsed.is_number()) {
+      if (const auto found = infinite.find(numbers++); found != infinite.end()) parsed = found->second;
+    }
     return true;
   };
-}
-
-/// The parser reads -0 as the integer 0; -0.0 keeps its sign.
-std::string with_signed_zeros(std::string_view text) {
-  std::string result;
-  bool in_string = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    result += text[i];
-    if (in_string && text[i] == '\\' && i + 1 < text.size()) result += text[++i];
-    if (text[i] == '"') in_string = !in_string;
-    const bool minus_zero = !in_string && text[i] == '0' && i > 0 && text[i - 1] == '-' &&
-                            (i < 2 || std::string_view("[,: \t").find(text[i - 2]) != std::string_view::npos);
-    if (minus_zero &&
-        (i + 1 == text.size() || std::string_view(".eE0123456789").find(text[i + 1]) == std::string_view::npos)) {
-      result += ".0";
-    }
-  }
-  return result;
 }
 
 /// What the parser says, without its tag "[json.exception.…] ".
@@ -99,52 +161,53 @@ std::string listed(const std::vector<std::string>& names) {
 
 std::string shorten(std::string text) { return text.size() > 60 ? text.substr(0, 57) + "..." : text; }
 
-}  // namespace
-
-Where Where::key(std::string_view name) const {
-  return {file, line, path.empty() ? std::string(name) : path + "." + std::string(name)};
+/// A value for a message, shortened.
+std::string found(const Json& value) {
+  const bool infinite = value.is_number_float() && !std::isfinite(value.get<double>());
+  return infinite ? "a number beyond binary64" : shorten(value.dump());
 }
 
-Where Where::index(std::size_t i) const { return {file, line, path + "[" + std::to_string(i) + "]"}; }
-
-void Where::fail(const std::string& what) const {
-  throw bad_input(file, line, path.empty() ? what : path + ": " + what);
+/// "NaN", "-inf", "Infinity" and the like.
+std::optional<double> not_finite(std::string text) {
+  const bool negative = text.starts_with('-');
+  if (negative || text.starts_with('+')) text.erase(0, 1);
+  std::ranges::transform(text, text.begin(),
+                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  if (text == "nan") return std::numeric_limits<double>::quiet_NaN();
+  if (text != "inf" && text != "infinity") return std::nullopt;
+  return negative ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity();
 }
 
-std::string hex_float(double x) {
-  char digits[40];
-  const char* const end = std::to_chars(digits, digits + sizeof digits, std::fabs(x), std::chars_format::hex).ptr;
-  return (std::signbit(x) ? "-0x" : "0x") + std::string(digits, static_cast<std::size_t>(end - digits));
-}
-
-double to_number(const Json& value, Format format, const Where& where) {
+/// The number that a value stands for by itself, finite or not; a string other than a hex float is none.
+double number_in(const Json& value, const Where& where) {
   double x = 0;
-  if (value.is_number()) {
-    x = value.get<double>();
-    // An integer too long for a double would be rounded by the conversion exactly as strtod rounds it.
-  } else if (!value.is_string() || !parse_hex_float(value.get_ref<const std::string&>(), x)) {
-    where.fail("expected a number or a hex-float string like \"0x1.8p+1\", found " + shorten(value.dump()));
-  }
-  if (!std::isfinite(x)) where.fail("expected a finite number, found " + shorten(value.dump()));
-  if (!is_exact_in(x, format)) {
-    where.fail("expected a number that is exact in binary32, found " + shorten(value.dump()));
-  }
-  return x;
+  if (value.is_number()) return value.get<double>();
+  // An integer too long for a double would be rounded by the conversion exactly as strtod rounds it.
+  if (value.is_string() && parse_hex_float(value.get_ref<const std::string&>(), x)) return x;
+  where.fail("expected a number or a hex-float string like \"0x1.8p+1\", found " + found(value));
 }
 
-Point3 to_point(const Json& value, Format format, const Where& where) {
-  if (!value.is_array() || value.size() != 3) where.fail("expected three numbers, found " + shorten(value.dump()));
-  return {to_number(value[0], format, where.index(0)), to_number(value[1], format, where.index(1)),
-          to_number(value[2], format, where.index(2))};
+double exact_in(double x, const Json& value, Format format, const Where& where) {
+  if (is_exact_in(x, format)) return x;
+  where.fail("expected a number that is exact in binary32, found " + found(value));
 }
 
-Json from_point(const Point3& p) { return Json::array({hex_float(p.x), hex_float(p.y), hex_float(p.z)}); }
+template <class Read>
+Point3 three_numbers(const Json& value, Format format, const Where& where, const Read& read) {
+  if (!value.is_array() || value.size() != 3) where.fail("expected three numbers, found " + found(value));
+  return {read(value[0], format, where.index(0)), read(value[1], format, where.index(1)),
+          read(value[2], format, where.index(2))};
+}
 
-Json parse_json(std::string_view given, const Where& where) {
-  const std::string text = with_signed_zeros(given);
+Json parsed(std::string_view given, const Where& where, Beyond beyond) {
+  if (given.starts_with(byte_order_mark)) {
+    if (where.line > 1) where.fail("a byte-order mark, expected none but at the start of the file");
+    given.remove_prefix(byte_order_mark.size());
+  }
+  const auto [text, infinite] = readable(given, beyond);
   if (depth_of(text) > max_depth) where.fail("nested deeper than " + std::to_string(max_depth) + " levels");
   try {
-    return Json::parse(text, refuse_duplicates(where));
+    return Json::parse(text, callback(where, infinite));
   } catch (const nlohmann::json::parse_error& e) {
     Where at = where;
     if (at.line == 0)
@@ -156,14 +219,82 @@ Json parse_json(std::string_view given, const Where& where) {
   }
 }
 
+}  // namespace
+
+Where Where::key(std::string_view name) const {
+  return {file, line, path.empty() ? std::string(name) : path + "." + std::string(name)};
+}
+
+Where Where::index(std::size_t i) const { return {file, line, path + "[" + std::to_string(i) + "]"}; }
+
+void Where::fail(const std::string& what) const {
+  throw bad_input(file, line, shown(path.empty() ? what : path + ": " + what));
+}
+
+std::string hex_float(double x) {
+  if (std::isnan(x)) return "nan";
+  if (std::isinf(x)) return x < 0 ? "-inf" : "inf";
+  char digits[40];
+  const char* const end = std::to_chars(digits, digits + sizeof digits, std::fabs(x), std::chars_format::hex).ptr;
+  return (std::signbit(x) ? "-0x" : "0x") + std::string(digits, static_cast<std::size_t>(end - digits));
+}
+
+double to_number(const Json& value, Format format, const Where& where) {
+  const double x = number_in(value, where);
+  if (!std::isfinite(x)) where.fail("expected a finite number, found " + found(value));
+  return exact_in(x, value, format, where);
+}
+
+double to_any_number(const Json& value, Format format, const Where& where) {
+  if (value.is_string()) {
+    if (const auto x = not_finite(value.get<std::string>())) return *x;
+  }
+  const double x = number_in(value, where);
+  return std::isfinite(x) ? exact_in(x, value, format, where) : x;
+}
+
+Point3 to_point(const Json& value, Format format, const Where& where) {
+  return three_numbers(value, format, where, to_number);
+}
+
+Point3 to_any_point(const Json& value, Format format, const Where& where) {
+  return three_numbers(value, format, where, to_any_number);
+}
+
+Json from_point(const Point3& p) { return Json::array({hex_float(p.x), hex_float(p.y), hex_float(p.z)}); }
+
+Json parse_json(std::string_view text, const Where& where) { return parsed(text, where, Beyond::refused); }
+
+Json parse_json_beyond(std::string_view text, const Where& where) { return parsed(text, where, Beyond::infinite); }
+
+Json with_strings(const Json& value, std::string (*made)(std::string_view)) {
+  if (value.is_string()) return made(value.get_ref<const std::string&>());
+  if (!value.is_structured()) return value;
+  Json result = value.is_array() ? Json::array() : Json::object();
+  for (const auto& item : value.items()) {
+    if (value.is_array()) {
+      result.push_back(with_strings(item.value(), made));
+    } else {
+      result[made(item.key())] = with_strings(item.value(), made);
+    }
+  }
+  return result;
+}
+
 const Json& require(const Json& object, std::string_view key, const Where& where) {
   const auto found = object.find(std::string(key));
   if (found == object.end()) where.fail("missing \"" + std::string(key) + "\"");
   return *found;
 }
 
+std::string name_at(const Json& object, std::string_view key, const Where& where) {
+  const Json& value = require(object, key, where);
+  if (value.is_string() && is_name(value.get_ref<const std::string&>())) return value.get<std::string>();
+  where.key(key).fail(std::string("expected ") + name_rule + ", found " + found(value));
+}
+
 void require_keys(const Json& object, std::initializer_list<std::string_view> known, const Where& where) {
-  if (!object.is_object()) where.fail("expected an object, found " + shorten(object.dump()));
+  if (!object.is_object()) where.fail("expected an object, found " + found(object));
   const std::vector<std::string> names(known.begin(), known.end());
   for (const auto& item : object.items()) {
     if (std::ranges::find(names, item.key()) == names.end()) {

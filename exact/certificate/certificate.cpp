@@ -6,7 +6,7 @@
 #include <map>
 #include <tuple>
 
-#include "exact/base/files.h"
+#include "exact/base/output.h"
 #include "exact/cases/case_io.h"
 #include "exact/certificate/budget.h"
 #include "exact/classes/class_table.h"
@@ -60,6 +60,15 @@ RelationRow to_relation(const Record& r) {
     to_case(query.json(), query.where());
     row.witness.push_back(query.json());
   }
+  return row;
+}
+
+NonfiniteRow to_nonfinite(const Record& r) {
+  r.keys({"record", "fmt", "asked", "refused", "answered", "first"});
+  NonfiniteRow row{.format = format_of(r), .asked = r.count("asked")};
+  row.refused = r.count("refused", row.asked);
+  row.answered = r.count("answered", row.asked - row.refused);
+  if (row.answered > 0) row.first = r.text("first");
   return row;
 }
 
@@ -156,6 +165,8 @@ class LogReader {
       read_sample(r);
     } else if (kind == "errors") {
       read_errors(r);
+    } else if (kind == "nonfinite") {
+      c_.nonfinite.push_back(to_nonfinite(r));
     } else if (kind == "counterexample") {
       c_.counterexamples.push_back(counterexample_in(r));
     } else {
@@ -333,7 +344,8 @@ void add_calibration_gaps(Certificate& c) {
 }
 
 void add_set_gaps(Certificate& c) {
-  const bool of_a_file = c.proved.empty() && c.has_own();  // what judge writes: nothing else is due
+  const bool of_a_file =
+      c.proved.empty() && (c.has_own() || !c.nonfinite.empty());  // what judge writes: nothing else is due
   if (!of_a_file && c.sampled().judged() == 0) c.gaps.push_back({"sample", "the method answered none of it", false});
   if (c.has_own() && c.own().judged() == 0) {
     c.gaps.push_back({own_cases, "the method answered none of them", !of_a_file});
@@ -403,7 +415,7 @@ Count total_of_sets(const Certificate& c, bool rays) {
 Verdict verdict_of(const Certificate& c) {
   const bool wrong_in_set = std::ranges::any_of(c.proved, [](const ProvedSet& s) { return s.count.wrong > 0; });
   if (wrong_in_set || c.sampled().wrong > 0 || c.own().wrong > 0) return Verdict::refuted;
-  if (!c.broken_relations().empty()) return Verdict::refuted;
+  if (!c.broken_relations().empty() || c.all_nonfinite().answered > 0) return Verdict::refuted;
   const bool hole = std::ranges::any_of(c.gaps, [](const Gap& g) { return !g.explained; });
   return hole ? Verdict::incomplete : Verdict::not_refuted;
 }
@@ -456,6 +468,17 @@ Count Certificate::own(Format format) const { return total_of_rows(*this, true, 
 
 Count Certificate::own() const { return own(Format::binary64) += own(Format::binary32); }
 
+NonfiniteRow Certificate::all_nonfinite() const {
+  NonfiniteRow all;
+  for (const NonfiniteRow& row : nonfinite) {
+    if (all.answered == 0) all.first = row.first;
+    all.asked += row.asked;
+    all.refused += row.refused;
+    all.answered += row.answered;
+  }
+  return all;
+}
+
 std::vector<std::string> Certificate::broken_relations() const {
   std::vector<std::string> names;
   for (const RelationRow& r : relations) {
@@ -475,6 +498,9 @@ std::string Certificate::worst() const {
     counts.push_back({"your own " + name, own(format)});
   }
   std::string text = headline(counts);
+  if (const std::uint64_t n = all_nonfinite().answered; n > 0) {
+    text += "; answers " + std::to_string(n) + " cases that are not finite";
+  }
   const std::vector<std::string> broken = broken_relations();
   for (std::size_t i = 0; i < broken.size(); ++i) text += (i == 0 ? "; breaks relations " : ", ") + broken[i];
   return text;
@@ -504,12 +530,14 @@ std::string counterexample_lines(const Certificate& c) {
 }
 
 Certificate write_certificate(const std::string& directory, ChainedLog& log) {
-  const std::string path = directory + "/log.jsonl";
-  write_file(path, log.finish());
-  const Certificate c = certificate_from(read_log(path));
-  write_file(directory + "/certificate.json", to_json(c).dump(1) + "\n");
-  write_file(directory + "/certificate.md", to_markdown(c));
-  write_file(directory + "/counterexamples.jsonl", counterexample_lines(c));
+  OutputSet set;
+  const std::string text = log.finish();
+  const Certificate c = certificate_from(log.so_far());
+  set.add(directory + "/log.jsonl", text);
+  set.add(directory + "/counterexamples.jsonl", counterexample_lines(c));
+  set.add(directory + "/certificate.md", to_markdown(c));
+  set.add(directory + "/certificate.json", to_json(c).dump(1) + "\n");
+  set.commit();
   return c;
 }
 

@@ -48,6 +48,14 @@ struct ErrorRow {
   HitErrors errors{};
 };
 
+/// One's own cases of a format with numbers that are not finite: each is to be refused with the status `nonfinite`.
+/// Whoever refuses it as unsupported, is owed nothing; whoever does anything else is wrong.
+struct NonfiniteRow {
+  Format format = Format::binary64;
+  std::uint64_t asked = 0, refused = 0, answered = 0;
+  std::string first{};  ///< the id of the first that was answered
+};
+
 /// The family under which the cases of a user's file are logged. They are no sample of anything.
 inline constexpr const char* own_cases = "your own cases";
 
@@ -100,6 +108,7 @@ struct Certificate {
   std::vector<ProvedSet> proved;
   std::vector<RelationRow> relations;
   std::vector<ErrorRow> errors;
+  std::vector<NonfiniteRow> nonfinite;
   std::vector<SampledStream> streams;
   std::vector<SampleRow> rows;                  ///< of the method on trial
   std::map<std::string, ByFormat> calibration;  ///< of the naive methods on the same sample
@@ -127,7 +136,8 @@ struct Certificate {
   Count sampled(Format) const;
   Count own() const;  ///< one's own cases
   Count own(Format) const;
-  std::uint64_t version() const;  ///< of the log
+  std::uint64_t version() const;       ///< of the log
+  NonfiniteRow all_nonfinite() const;  ///< of both formats
   /// Whether the log says what wrong answers are.
   bool says_outcomes() const { return version() >= 2; }
   /// The relations that the method broke, each once.

@@ -8,6 +8,7 @@
 #include "exact/base/failure.h"
 #include "exact/base/interrupt.h"
 #include "exact/base/progress.h"
+#include "exact/base/shown.h"
 #include "exact/certificate/certificate.h"
 #include "exact/methods/methods.h"
 #include "exact/record/contract_json.h"
@@ -188,7 +189,7 @@ void log_some(ChainedLog& log, const Method& method, const std::vector<Case>& ca
   SampleRow row{.method = method.name, .family = own_cases, .format = format};
   HitErrors errors;
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    if (cases[i].format != format || cases[i].query.operands() != operands) continue;
+    if (cases[i].format != format || cases[i].query.operands() != operands || !is_finite(cases[i].query)) continue;
     const Answer given = takes(method, format) ? all_given.answer(i) : refusal(Status::unsupported);
     const Outcome outcome = takes(method, format) ? judge(method, truths[i], given) : Outcome::not_owed;
     Count& count = row.counts[slot_of(truths[i])];
@@ -218,14 +219,37 @@ void log_some(ChainedLog& log, const Method& method, const std::vector<Case>& ca
   if (errors.hits > 0) log.add(errors_record(row.method, row.family, format, errors));
 }
 
+/// What became of the cases of a format with numbers that are not finite, which are to be refused.
+void log_nonfinite(ChainedLog& log, const std::vector<Case>& cases, const Given& given, Format format) {
+  std::uint64_t asked = 0, refused = 0, answered = 0;
+  Json first;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    if (cases[i].format != format || is_finite(cases[i].query)) continue;
+    const Status status = given.answer(i).status;
+    ++asked;
+    refused += status == Status::nonfinite ? 1 : 0;
+    if (status == Status::nonfinite || status == Status::unsupported) continue;
+    if (answered++ == 0) first = cases[i].id;
+  }
+  if (asked == 0) return;
+  Json record = {{"record", "nonfinite"},
+                 {"fmt", name_of(format)},
+                 {"asked", asked},
+                 {"refused", refused},
+                 {"answered", answered}};
+  if (answered > 0) record["first"] = first;
+  log.add(record);
+}
+
 }  // namespace
 
 std::vector<Truth> truths_of(const std::vector<Case>& cases, const std::string& file) {
   std::vector<Truth> truths;
   for (const Case& own : cases) {
-    truths.push_back(exact_truth(own.query));
+    truths.push_back(is_finite(own.query) ? exact_truth(own.query) : Truth{});
+    if (!is_finite(own.query)) continue;
     const std::string error = mistaken_claim(own, truths.back());
-    if (!error.empty()) throw bad_input(file, 0, own.id + ": " + error);
+    if (!error.empty()) throw bad_input(file, 0, shown(own.id) + ": " + error);
   }
   return truths;
 }
@@ -264,6 +288,7 @@ void log_own_cases(ChainedLog& log, const Method& method, const std::vector<Case
       log_some(log, method, cases, truths, given, operands, format, wrong);
     }
   }
+  for (const Format format : {Format::binary64, Format::binary32}) log_nonfinite(log, cases, given, format);
   sort_by_rank(wrong);
   for (const Case& c : wrong) log_counterexample(log, c);
 }

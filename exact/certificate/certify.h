@@ -21,17 +21,19 @@ struct CertifyPlan {
   unsigned threads = 1;
   std::vector<Stream> streams = {};  ///< if empty, all streams
   std::vector<Case> cases = {};      ///< the user's own cases, judged and reported beside the rest
-  std::vector<Truth> truths = {};    ///< the exact answers to `cases`
+  std::vector<Truth> truths = {};    ///< the exact answers to `cases`, of no meaning where these are not finite
 };
 
-/// The exact answers to the user's cases. Fails with Exit::bad_input where a case of this file claims something false.
+/// The exact answers to the user's cases, of no meaning where these are not finite. Fails with Exit::bad_input where a
+/// case of this file claims something false.
 std::vector<Truth> truths_of(const std::vector<Case>& cases, const std::string& file);
 
 /// The whole trial. Deterministic for a plan, whatever the number of threads. Fails if interrupted.
 ChainedLog certify(const CertifyPlan& plan);
 
 /// Logs the user's own cases, one stream for each kind of operands in each format; `truths` are their exact answers,
-/// and each case that was answered wrongly is logged as a counterexample. `given` says what the method answered to case
+/// and each case that was answered wrongly is logged as a counterexample. Cases with numbers that are not finite are
+/// counted apart, and are to be refused. `given` says what the method answered to case
 /// i and which numbers it gives with a hit; it is not called for operands that the method does not take.
 struct Given {
   std::function<Answer(std::size_t)> answer;

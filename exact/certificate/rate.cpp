@@ -8,15 +8,11 @@
 
 namespace tribunal {
 
-namespace {
-
 std::string percent(double share) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.2g %%", 100 * share);
+  std::snprintf(text, sizeof text, "%.3g %%", 100 * share);
   return text;
 }
-
-}  // namespace
 
 Rate rate_of(std::uint64_t k, std::uint64_t n) {
   if (k == 0) return {0, n, 0, 0, upper_bound(0, n, confidence_alpha)};

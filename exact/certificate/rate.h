@@ -19,6 +19,9 @@ struct Rate {
 Rate rate_of(std::uint64_t wrong, std::uint64_t judged);
 Rate rate_of(const Count& count);
 
+/// "8.33 %"; three digits, of a tiny share with an exponent. The one place that says a share in words.
+std::string percent(double share);
+
 /// asked, unsupported, judged, wrong, share, lower, upper, bound, drawn; and what the wrong answers are.
 Json to_json(const Count& count);
 

@@ -1,7 +1,9 @@
 // Writes a certificate as Markdown.
 #include <map>
 
+#include "exact/base/shown.h"
 #include "exact/certificate/bounds.h"
+#include "exact/certificate/rate.h"
 #include "exact/certificate/report_parts.h"
 
 namespace tribunal {
@@ -21,7 +23,7 @@ std::string proved_table(const Certificate& c) {
   for (const ProvedSet& s : c.proved) {
     text += "| " + s.name + " | " + probes_word(s.of_rays) + "s | " + std::to_string(s.size) + " | " +
             std::to_string(s.classes) + " | " + std::to_string(s.count.wrong) + " | " +
-            std::to_string(s.count.unsupported) + " | " + s.answers_hash + " | " + s.oracles + " |" +
+            std::to_string(s.count.not_owed()) + " | " + s.answers_hash + " | " + s.oracles + " |" +
             outcomes_cell(c, s.count);
   }
   return text;
@@ -46,8 +48,8 @@ std::string sampled_table(const Certificate& c) {
       if (count.asked == 0) continue;
       text += "| " + row.family + " | " + std::string(name_of(row.format)) + " | " + probes_word(rays) + "s | " +
               stress_of(c, row) + " | " + std::to_string(count.judged()) + " | " + std::to_string(count.wrong) + " | " +
-              rate_of(count) + " | " + percent_text(upper_bound(count.wrong, count.judged(), confidence_alpha)) + " |" +
-              outcomes_cell(c, count);
+              rate_in_words(count) + " | " + percent(upper_bound(count.wrong, count.judged(), confidence_alpha)) +
+              " |" + outcomes_cell(c, count);
     }
   }
   return text;
@@ -73,7 +75,7 @@ std::string stages_line(const Certificate& c, const std::string& title, const Co
   for (const Stage stage : c.stages) {
     const double share =
         total.judged() == 0 ? 0 : static_cast<double>(total.at(stage)) / static_cast<double>(total.judged());
-    text += " " + c.word_of(stage) + " " + std::to_string(total.at(stage)) + " (" + percent_text(share) + ")";
+    text += " " + c.word_of(stage) + " " + std::to_string(total.at(stage)) + " (" + percent(share) + ")";
   }
   return text + ".\n\n";
 }
@@ -115,7 +117,7 @@ std::string gaps_list(const Certificate& c) {
 
 std::string calibration_line(const std::string& what, const Count& count) {
   return "- " + what + ": " + std::to_string(count.wrong) + " wrong of " + std::to_string(count.judged()) + " (" +
-         rate_of(count) + ")\n";
+         rate_in_words(count) + ")\n";
 }
 
 std::string calibration_list(const Certificate& c) {
@@ -160,11 +162,16 @@ std::string own_section(const Certificate& c) {
   return text + "\nWhere it was wrong:\n\n" + worst_classes(c, true) + "\n";
 }
 
+std::string nonfinite_section(const Certificate& c) {
+  std::string text =
+      "## Your cases with numbers that are not finite\n\nThey have no answer, and are to be refused.\n\n";
+  for (const NonfiniteRow& row : c.nonfinite) text += "- " + in_words(row) + "\n";
+  return text + "\n";
+}
+
 const char* coverage_word(const Certificate& c) { return c.coverage.has(Operands::polygons) ? "Polygons" : "Classes"; }
 
-}  // namespace
-
-std::string to_markdown(const Certificate& c) {
+std::string markdown_of(const Certificate& c) {
   std::string text =
       "# " + c.method() + ": " + name_of(c.verdict) + (c.says_outcomes() ? "; " + c.worst() : "") + "\n\n";
   text += "Contract: " + in_words(c.contract) + ". Convention: " + std::string(name_of(c.contract.convention)) +
@@ -176,11 +183,16 @@ std::string to_markdown(const Certificate& c) {
   if (c.sampled_strata() > 0) text += sampled_section(c);
   if (!c.errors.empty()) text += errors_section(c);
   if (c.has_own()) text += own_section(c);
+  if (!c.nonfinite.empty()) text += nonfinite_section(c);
   text += "## Not covered\n\n" + gaps_list(c) + "\n";
   text += "## Calibration\n\n" + calibration_list(c) + "\n";
   text += "## Environment\n\n" + environment_list(c);
   return text + "\nEvery number above follows from `log.jsonl` (sha256 of its chain: " + c.log_head +
          "); `tribunal verify` makes them again.\n";
 }
+
+}  // namespace
+
+std::string to_markdown(const Certificate& c) { return markdown_of(with_texts(c, in_markdown)); }
 
 }  // namespace tribunal

@@ -127,6 +127,16 @@ Json calibration_json(const Certificate& c) {
   return rows;
 }
 
+/// Of one's own cases that are not finite.
+Json nonfinite_json(const Certificate& c) {
+  Json rows = Json::array();
+  for (const NonfiniteRow& r : c.nonfinite) {
+    rows.push_back({{"fmt", name_of(r.format)}, {"asked", r.asked}, {"refused", r.refused}, {"answered", r.answered}});
+    if (r.answered > 0) rows.back()["first"] = r.first;
+  }
+  return rows;
+}
+
 Json coverage_json(const Certificate& c, Format format, const SlotGroup& group, const char* judged) {
   Json row = {{judged, c.coverage.judged(format, group)}, {"of", group.size}};
   if (!group.finest) return row;
@@ -191,6 +201,7 @@ Json to_json(const Certificate& c) {
   object["streams"] = streams_json(c);
   object["sampled"] = strata_json(c, false);
   if (c.has_own()) object["own_cases"] = strata_json(c, true);
+  if (!c.nonfinite.empty()) object["nonfinite_cases"] = nonfinite_json(c);
   object["not_covered"] = gaps_json(c);
   object["calibration"] = calibration_json(c);
   object["counterexamples"] = c.counterexamples.size();

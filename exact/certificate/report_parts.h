@@ -16,11 +16,15 @@ inline const char* probes_word(bool of_rays) { return of_rays ? "ray" : "segment
 
 // --- words: report_words.cpp -----------------------------------------------------------------------------------------
 
-/// 0.0606 → "6.06 %"
-std::string percent_text(double rate);
+/// The certificate for people: each text in it, which is what a log says and may be anything, made by the door to a
+/// terminal or to Markdown. Of the counterexamples only the faults are left.
+Certificate with_texts(const Certificate& c, std::string (*door)(std::string_view));
+
+/// "binary64: 2 of 3 refused; 1 ANSWERED, the first is nan-1"
+std::string in_words(const NonfiniteRow& row);
 
 /// The share of wrong answers; "-" where nothing was judged.
-std::string rate_of(const Count& count);
+std::string rate_in_words(const Count& count);
 
 /// "classes", or "outcomes" of polygons.
 const char* classes_word(const Certificate& c);
@@ -28,7 +32,8 @@ const char* classes_word(const Certificate& c);
 /// Nothing, or the text after a semicolon.
 std::string after_semicolon(const std::string& text);
 
-/// "1 wrong of 12 (8.33 %); 3 outside the contract"; and the same with what the wrong answers are.
+/// "1 wrong of 12 (8.33 %); 3 outside the contract; 2 refused": each case once. And the same with what the wrong
+/// answers are.
 std::string wrong_of(const Count& count);
 std::string with_breakdown(const Count& count);
 

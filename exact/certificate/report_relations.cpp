@@ -5,18 +5,19 @@
 #include <utility>
 
 #include "exact/certificate/bounds.h"
+#include "exact/certificate/rate.h"
 #include "exact/certificate/report_parts.h"
 
 namespace tribunal {
 namespace {
 
 std::string rate_of(const RelationRow& r) {
-  return percent_text(static_cast<double>(r.broken) / static_cast<double>(r.asked));
+  return percent(static_cast<double>(r.broken) / static_cast<double>(r.asked));
 }
 
 std::string interval_of(const RelationRow& r) {
-  return percent_text(lower_bound(r.broken, r.asked, confidence_alpha)) + " to " +
-         percent_text(upper_bound(r.broken, r.asked, confidence_alpha));
+  return percent(lower_bound(r.broken, r.asked, confidence_alpha)) + " to " +
+         percent(upper_bound(r.broken, r.asked, confidence_alpha));
 }
 
 /// "binary64, segments"

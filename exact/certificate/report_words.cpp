@@ -3,33 +3,76 @@
 #include <cstdio>
 #include <iterator>
 
+#include "exact/base/foreign_json.h"
+#include "exact/certificate/rate.h"
 #include "exact/certificate/report_parts.h"
 
 namespace tribunal {
 
-std::string percent_text(double rate) {
-  char text[32];
-  std::snprintf(text, sizeof text, rate == 0 || rate >= 0.001 ? "%.3g %%" : "%.2e %%", 100 * rate);
-  return text;
+Certificate with_texts(const Certificate& c, std::string (*door)(std::string_view)) {
+  Certificate shown = c;
+  shown.plan = with_strings(c.plan, door);
+  shown.environment = with_strings(c.environment, door);
+  shown.log_head = door(c.log_head);
+  for (ProvedSet& s : shown.proved) {
+    for (std::string* text : {&s.name, &s.oracles, &s.answers_hash}) *text = door(*text);
+  }
+  for (RelationRow& r : shown.relations) {
+    for (std::string* text : {&r.name, &r.statement}) *text = door(*text);
+  }
+  for (ErrorRow& e : shown.errors) e.family = door(e.family);
+  for (NonfiniteRow& r : shown.nonfinite) r.first = door(r.first);
+  for (SampledStream& s : shown.streams) {
+    for (std::string* text : {&s.family, &s.axis, &s.population, &s.judged_by}) *text = door(*text);
+  }
+  for (SampleRow& r : shown.rows) {
+    for (std::string* text : {&r.method, &r.family}) *text = door(*text);
+  }
+  for (Gap& g : shown.gaps) {
+    for (std::string* text : {&g.what, &g.reason}) *text = door(*text);
+  }
+  shown.calibration.clear();
+  for (const auto& [method, counts] : c.calibration) shown.calibration[door(method)] = counts;
+  shown.counterexamples.clear();
+  for (const Json& line : c.counterexamples) {
+    const Record finding = Record(line, {"log.jsonl"}).member("finding");
+    Json kept = {{"finding", Json::object()}};
+    if (finding.has("fault")) kept["finding"]["fault"] = door(finding.text("fault"));
+    shown.counterexamples.push_back(std::move(kept));
+  }
+  return shown;
 }
 
-std::string rate_of(const Count& c) {
+std::string in_words(const NonfiniteRow& row) {
+  const std::string answered =
+      row.answered == 0 ? "" : "; " + std::to_string(row.answered) + " ANSWERED, the first is " + row.first;
+  return std::string(name_of(row.format)) + ": " + std::to_string(row.refused) + " of " + std::to_string(row.asked) +
+         " refused" + answered;
+}
+
+std::string rate_in_words(const Count& c) {
   if (c.judged() == 0) return "-";
-  return percent_text(static_cast<double>(c.wrong) / static_cast<double>(c.judged()));
+  return percent(static_cast<double>(c.wrong) / static_cast<double>(c.judged()));
 }
 
 const char* classes_word(const Certificate& c) { return c.operands() == Operands::triangles ? "classes" : "outcomes"; }
 
 std::string after_semicolon(const std::string& text) { return text.empty() ? "" : "; " + text; }
 
-/// "1 wrong of 12 (8.33 %); 3 outside the contract"
-std::string wrong_of(const Count& count) {
-  return std::to_string(count.wrong) + " wrong of " + std::to_string(count.judged()) + " (" + rate_of(count) + ")" +
-         (count.unsupported == 0 ? "" : "; " + std::to_string(count.unsupported) + " outside the contract");
+namespace {
+
+std::string judged_of(const Count& count) {
+  return std::to_string(count.wrong) + " wrong of " + std::to_string(count.judged()) + " (" + rate_in_words(count) +
+         ")" + (count.not_owed() == 0 ? "" : "; " + std::to_string(count.not_owed()) + " outside the contract");
 }
 
-/// The same, and what the wrong answers are.
-std::string with_breakdown(const Count& count) { return wrong_of(count) + after_semicolon(breakdown(count)); }
+}  // namespace
+
+std::string wrong_of(const Count& count) {
+  return judged_of(count) + (count.refused == 0 ? "" : "; " + std::to_string(count.refused) + " refused");
+}
+
+std::string with_breakdown(const Count& count) { return judged_of(count) + after_semicolon(breakdown(count)); }
 
 Count total_of(const Certificate& c, std::size_t stream) {
   Count total;

@@ -86,7 +86,7 @@ const ChartRow* own_row(const Chart& chart, std::size_t method, std::size_t popu
 /// 99 % of the errors of t are within so many ulps; nothing if there are none.
 std::string ulps_cell(const ChartRow& r) {
   char text[24];
-  std::snprintf(text, sizeof text, "%.3g", r.errors.t.bound_of(99));
+  std::snprintf(text, sizeof text, "%.3g", std::min(r.errors.t.bound_of(99), r.errors.t.most));
   return r.errors.t.measured() == 0 ? "" : text;
 }
 

@@ -56,6 +56,9 @@ Json to_json(const ChartPlan& plan, const Chart& chart);
 /// What the terminal shows.
 std::string to_table(const ChartPlan& plan, const Chart& chart);
 
+/// Writes chart.json. The figures of an earlier one go.
+void write_chart(const std::string& directory, const Json& record);
+
 /// Writes exact/chart/plot.py and the figures to the directory, which holds chart.json; nothing is measured. Returns
 /// the names of the figures that were drawn, without endings, and removes older ones of the other names. Fails as
 /// `draw_figures` does.

@@ -3,14 +3,18 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
+#include <type_traits>
 
 #include "exact/base/failure.h"
+#include "exact/base/shown.h"
 
 namespace tribunal {
 
 struct Arguments::Option::Declared {
   CLI::Option* option;
+  bool either_sign = false;
 };
 
 struct Arguments::Parser {
@@ -43,13 +47,8 @@ Arguments::Option Arguments::Option::above_zero() {
   return *this;
 }
 
-Arguments::Option Arguments::Option::whole_number() {
-  declared_->option->check([](const std::string& text) {
-    std::uint64_t x = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
-    const bool good = error == std::errc{} && end == text.data() + text.size();
-    return good ? std::string() : "expected a whole number in digits, found " + text;
-  });
+Arguments::Option Arguments::Option::of_either_sign() {
+  declared_->either_sign = true;
   return *this;
 }
 
@@ -71,9 +70,35 @@ Arguments::Option Arguments::Option::one_of(const std::vector<std::string>& word
 
 // --- a command ---------------------------------------------------------------------------------------------------
 
+namespace {
+
+/// What is wrong with the text of an integer; empty if nothing is. CLI11 itself would take −3 as 2⁶⁴ − 3.
+template <class Integer>
+std::string fault_of_integer(const std::string& text) {
+  Integer x = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
+  const bool good = error == std::errc{} && end == text.data() + text.size() && x >= 0 && text[0] != '-';
+  return good ? std::string() : "expected a whole number in digits, found " + text;
+}
+
+std::string fault_of_double(const std::string& text, bool either_sign) {
+  double x = 0;
+  const bool good = CLI::detail::lexical_cast(text, x) && std::isfinite(x) && (either_sign || x >= 0);
+  return good ? std::string() : "expected a number" + std::string(either_sign ? "" : ", 0 or more") + ", found " + text;
+}
+
+}  // namespace
+
 template <class Value>
 Arguments::Option Arguments::option(const std::string& names, Value& value, const std::string& help) {
-  return Option(std::make_shared<Option::Declared>(parser_->app->add_option(names, value, help)));
+  const auto declared = std::make_shared<Option::Declared>(parser_->app->add_option(names, value, help));
+  if constexpr (std::is_integral_v<Value>) {
+    declared->option->check(fault_of_integer<Value>);
+  } else if constexpr (std::is_floating_point_v<Value>) {
+    declared->option->check(
+        [declared](const std::string& text) { return fault_of_double(text, declared->either_sign); });
+  }
+  return Option(declared);
 }
 
 template Arguments::Option Arguments::option(const std::string&, std::string&, const std::string&);
@@ -139,6 +164,9 @@ Arguments CommandLine::add(const std::string& name, const std::string& summary, 
 
 std::optional<std::string> CommandLine::parse(const std::vector<std::string>& words) {
   CLI::App& app = parser_->app;
+  for (const std::string& word : words) {
+    if (!shows_as_it_is(word)) throw Failure(Exit::usage, "expected printable UTF-8, found \"" + word + "\"");
+  }
   try {
     app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // CLI11 takes the last word first
     return std::nullopt;

@@ -23,8 +23,8 @@ class Arguments {
     Option shows_default();
     /// The value is a number above 0.
     Option above_zero();
-    /// The value is a whole number from 0 to 2^64 − 1, in digits.
-    Option whole_number();
+    /// The value is a number of either sign, not 0 or more.
+    Option of_either_sign();
     /// The value is a number of this type from `least` to `most`, both allowed.
     template <class Number>
     Option between(Number least, Number most);
@@ -39,7 +39,8 @@ class Arguments {
   };
 
   /// Declares an option by its names, separated by commas: "-o,--out". A name without dashes is that of an argument
-  /// known by its place. `Value` is a string, a double, an int or an unsigned integer.
+  /// known by its place, and "--in,FILE" of one that may stand either way. `Value` is a string, a double, an int or an
+  /// unsigned integer. An integer is 0 or more, in digits alone; a double is finite, and 0 or more unless more is said.
   template <class Value>
   Option option(const std::string& names, Value& value, const std::string& help);
 

@@ -2,7 +2,7 @@
 #include <memory>
 
 #include "exact/base/failure.h"
-#include "exact/base/files.h"
+#include "exact/base/output.h"
 #include "exact/cases/case_io.h"
 #include "exact/cli/command.h"
 
@@ -60,11 +60,8 @@ Action declare_cases(Arguments& arguments) {
   arguments.option("--family", o->families, family_help());
   arguments.option("--fmt", o->format, "only cases of this format (default both, in turn)")
       .one_of({"binary32", "binary64"});
-  arguments.option("--seed", o->seed, "seed of the cases").whole_number().shows_default();
-  arguments.option("--count", o->count, "cases in all")
-      .whole_number()
-      .between(std::uint64_t{1}, most_cases)
-      .shows_default();
+  arguments.option("--seed", o->seed, "seed of the cases").shows_default();
+  arguments.option("--count", o->count, "cases in all").between(std::uint64_t{1}, most_cases).shows_default();
   arguments.flag("--with-answers", o->with_answers,
                  "give the exact answer (and of triangles the class) with each case");
   arguments.option("--out", o->out, "case file (JSON Lines); - is standard output").shows_default();

@@ -6,6 +6,8 @@
 
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
+#include "exact/base/output.h"
+#include "exact/base/shown.h"
 #include "exact/cases/families/aimed.h"
 #include "exact/certificate/certificate.h"
 #include "exact/certificate/verify.h"
@@ -71,10 +73,9 @@ int run_polygons(const Options& o, const Method& method) {
 }
 
 int run(const Options& o) {
-  const std::vector<Method> methods = methods_named(o.method);
-  if (methods.size() != 1) throw Failure(Exit::usage, "certify takes one method, found " + o.method);
-  if (o.polygons || !takes_triangles(methods[0])) return run_polygons(o, methods[0]);
-  CertifyPlan plan = plan_of(o, methods[0], Operands::triangles);
+  const Method method = method_on_trial(o.method);
+  if (o.polygons || !takes_triangles(method)) return run_polygons(o, method);
+  CertifyPlan plan = plan_of(o, method, Operands::triangles);
   Family of_mesh;
   if (!o.mesh.empty()) {
     of_mesh = family_of_mesh(o.mesh);
@@ -92,10 +93,10 @@ struct VerifyOptions {
 
 int run_verify(const VerifyOptions& o) {
   const Verification v = verify(o.directory, o.rerun ? o.threads : 0);
-  for (const std::string& fault : v.faults) print(fault + "\n");
+  for (const std::string& fault : v.faults) print(shown(fault) + "\n");
   const Certificate& c = v.certificate;
-  print(std::string(v.faults.empty() ? "verified" : "NOT VERIFIED") + ": " + c.method() + " " + name_of(c.verdict) +
-        "; " + std::to_string(v.confirmed) + " of " + std::to_string(c.counterexamples.size()) +
+  print(std::string(v.faults.empty() ? "verified" : "NOT VERIFIED") + ": " + shown(c.method()) + " " +
+        name_of(c.verdict) + "; " + std::to_string(v.confirmed) + " of " + std::to_string(c.counterexamples.size()) +
         " counterexamples confirmed by exact arithmetic; " +
         (v.not_asked.empty() ? "asked again on " + std::to_string(v.asked_again) + " cases"
                              : "not asked again: " + v.not_asked) +
@@ -107,7 +108,7 @@ int run_verify(const VerifyOptions& o) {
 
 Action declare_certify(Arguments& arguments) {
   const auto o = std::make_shared<Options>();
-  arguments.option("--method", o->method, "the method on trial").required();
+  arguments.option("--method,--methods", o->method, "the method on trial (default: that of a plugin)");
   arguments
       .option("--budget", o->budget,
               "quick: {0,1,2}^3 whole and 1.2 million samples; standard: {0..3}^3 too, some minutes; "
@@ -126,7 +127,7 @@ Action declare_certify(Arguments& arguments) {
       "--mesh", o->mesh,
       "mesh of your own (OFF, OBJ, PLY, STL): segments and rays are aimed at its triangles, one a case; how "
       "often an answer is wrong is no leak rate, which `tribunal leak` measures");
-  arguments.option("--seed", o->seed, "seed of the sample").whole_number().shows_default();
+  arguments.option("--seed", o->seed, "seed of the sample").shows_default();
   add_threads_option(arguments, o->threads);
   arguments.option("--out", o->out, "directory for certificate.json, certificate.md, log.jsonl, counterexamples.jsonl")
       .required();

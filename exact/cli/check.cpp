@@ -4,6 +4,7 @@
 
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
+#include "exact/base/shown.h"
 #include "exact/cli/command.h"
 #include "exact/record/counterexample.h"
 #include "exact/trial/describe.h"
@@ -24,8 +25,19 @@ struct Score {
 
 std::string hit_or_miss(bool hit) { return hit ? "a hit" : "no hit"; }
 
+/// The same for a case with numbers that are not finite, which expects to be refused.
+std::string check_nonfinite(const Method& method, const Case& c, Score& score) {
+  const Asked seen = try_ask(method, c.query);
+  ++score.checked;
+  if (!seen.fault && seen.answer.status == Status::nonfinite) return "";
+  ++score.failed;
+  return shown(c.id) + "  " + method.name + ": expected nonfinite, found " +
+         (seen.fault ? describe(seen.fault) : std::string(name_of(seen.answer.status))) + "\n";
+}
+
 /// One line for a case that the method does not answer as the file expects; nothing if it does.
 std::string check(const Method& method, const Case& c, Score& score) {
+  if (!is_finite(c.query)) return check_nonfinite(method, c, score);
   const Asked seen = try_ask(method, c.query);
   if (!seen.fault && (seen.answer.status != Status::ok || !takes(method, c.format))) {
     ++score.unanswered;
@@ -34,7 +46,7 @@ std::string check(const Method& method, const Case& c, Score& score) {
   ++score.checked;
   if (!seen.fault && seen.answer.hit == *c.expect) return "";
   ++score.failed;
-  return c.id + "  " + method.name + ": expected " + hit_or_miss(*c.expect) + ", found " +
+  return shown(c.id) + "  " + method.name + ": expected " + hit_or_miss(*c.expect) + ", found " +
          (seen.fault ? describe(seen.fault) : hit_or_miss(seen.answer.hit)) + "\n";
 }
 
@@ -48,26 +60,29 @@ std::string summary_of(const Method& method, const Score& s) {
 std::string contradictions(const std::vector<Case>& cases) {
   std::string text;
   for (const Case& c : cases) {
+    if (!is_finite(c.query)) continue;
     if (const std::string mistake = mistaken_claim(c, exact_truth(c.query)); !mistake.empty()) {
-      text += c.id + "  THE FILE IS WRONG: " + mistake + "\n";
+      text += shown(c.id) + "  THE FILE IS WRONG: " + mistake + "\n";
     }
   }
   return text;
 }
 
+bool expects(const Case& c) { return c.expect || !is_finite(c.query); }
+
 int run(const Options& o) {
-  const std::vector<Method> methods = methods_named(o.methods);
+  const std::vector<Method> methods = methods_on_trial(o.methods);
   const std::vector<Case> cases = read_cases(o.file);
-  const auto silent = std::ranges::count_if(cases, [](const Case& c) { return !c.expect; });
+  const auto silent = std::ranges::count_if(cases, [](const Case& c) { return !expects(c); });
   std::string text = o.exact ? contradictions(cases) : "", summaries;
   bool failed = !text.empty();
   for (const Method& method : methods) {
     Score score;
     for (const Case& c : cases) {
-      if (c.expect) text += check(method, c, score);
+      if (expects(c)) text += check(method, c, score);
     }
     if (score.checked == 0)
-      throw bad_input(o.file, 0, "nothing to check: no case has \"expect\" that " + method.name + " answers");
+      throw bad_input(o.file, 0, "nothing to check: no case expects anything that " + method.name + " answers");
     failed |= score.failed > 0;
     summaries += summary_of(method, score);
   }
@@ -82,7 +97,7 @@ int run(const Options& o) {
 Action declare_check(Arguments& arguments) {
   const auto o = std::make_shared<Options>();
   arguments.option("FILE", o->file, "case file (JSON Lines) with \"expect\"; - is standard input").required();
-  arguments.option("--method", o->methods, "methods, separated by commas").required();
+  add_methods_option(arguments, o->methods);
   arguments.flag("--exact", o->exact, "hold what the file expects against the exact answer too");
   return with_plugins(arguments, [o] { return run(*o); });
 }

@@ -2,6 +2,7 @@
 
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
+#include "exact/base/output.h"
 #include "exact/cases/case_io.h"
 #include "exact/cli/command.h"
 #include "exact/trial/judge.h"
@@ -15,6 +16,7 @@ struct Options {
 
 /// The method's answer, with the class where it can say it.
 Answer answer_to(const Method& method, const Query& query) {
+  if (!is_finite(query)) return refusal(Status::nonfinite);
   const bool classifies = method.classify && !query.bounds && query.operands() == Operands::triangles;
   return classifies ? method.classify(query.probe, query.triangle()) : method.ask(query);
 }
@@ -27,7 +29,7 @@ Answer owed_answer(const Method& method, const Query& query) {
 }
 
 int run(const Options& o) {
-  const std::vector<Method> methods = methods_named(o.methods);
+  const std::vector<Method> methods = methods_on_trial(o.methods);
   require_different(o.in, o.out);
   std::string lines;
   bool any_fault = false;
@@ -46,8 +48,8 @@ int run(const Options& o) {
 
 Action declare_classify(Arguments& arguments) {
   const auto o = std::make_shared<Options>();
-  arguments.option("--method", o->methods, "methods, separated by commas").required();
-  arguments.option("--in", o->in, "case file (JSON Lines); - is standard input").shows_default();
+  add_methods_option(arguments, o->methods);
+  arguments.option("--in,FILE", o->in, "case file (JSON Lines); - is standard input").shows_default();
   arguments.option("--out", o->out, "answer file (JSON Lines); - is standard output").shows_default();
   return with_plugins(arguments, [o] { return run(*o); });
 }

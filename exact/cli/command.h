@@ -26,6 +26,17 @@ struct Command {
 /// The named methods ("a,b,c"), in the order given. Fails with Exit::usage, naming the nearest known method.
 std::vector<Method> methods_named(const std::string& comma_separated);
 
+/// Declares --method, and --methods for it, of the methods on trial; `otherwise` says who is asked where it is not
+/// given and no plugin is.
+Arguments::Option add_methods_option(Arguments& arguments, std::string& names, const std::string& otherwise = "");
+
+/// The methods on trial: those named; if none is, those of the plugins; without plugins the ones of `otherwise`. Fails
+/// with Exit::usage if that leaves nobody: a plugin is never loaded and not asked.
+std::vector<Method> methods_on_trial(const std::string& named, const std::string& otherwise = "");
+
+/// The one method on trial. Fails with Exit::usage if there are several.
+Method method_on_trial(const std::string& named);
+
 /// "a,b" → {"a", "b"}.
 std::vector<std::string> split(const std::string& comma_separated);
 

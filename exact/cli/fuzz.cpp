@@ -1,13 +1,13 @@
 #include <algorithm>
 #include <cstdio>
 #include <deque>
-#include <filesystem>
 #include <map>
 #include <memory>
 
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
 #include "exact/base/interrupt.h"
+#include "exact/base/output.h"
 #include "exact/base/progress.h"
 #include "exact/base/record.h"
 #include "exact/cases/own/family.h"
@@ -27,13 +27,16 @@ namespace tribunal {
 namespace {
 
 struct Options {
-  std::string methods = "sf-double", families, out, cases, mesh, scene;
+  std::string methods, families, out, cases, mesh, scene;
   std::uint64_t seed = 1, count = 0;
   double seconds = 0;
   unsigned threads = 1;
   std::size_t keep = 20;
   bool relations = false, resume = false, until_first = false;
 };
+
+/// Asked if no method is named and there is no plugin.
+constexpr const char* default_methods = "sf-double";
 
 /// The default is so many that each of one's own cases is asked as it stands.
 std::uint64_t cases_of(const Options& o, const std::vector<Stream>& streams) {
@@ -47,7 +50,7 @@ std::uint64_t cases_of(const Options& o, const std::vector<Stream>& streams) {
 }
 
 FuzzPlan plan_of(const Options& o, std::vector<Stream> streams) {
-  FuzzPlan plan{.methods = methods_named(o.methods),
+  FuzzPlan plan{.methods = methods_on_trial(o.methods, default_methods),
                 .streams = std::move(streams),
                 .seed = o.seed,
                 .seconds = o.seconds,
@@ -113,23 +116,41 @@ std::string errors_cells(const char* what, const Ulps& u) {
   return u.all() == 0 ? "" : "  " + std::string(what) + ": " + in_words(u);
 }
 
-/// The errors of the numbers given with right hits of rays, by method × stream.
+/// The errors of a method in one format, and the families that they are of: "plain", or "3 families".
+struct ErrorsInFormat {
+  HitErrors errors{};
+  std::string families{};
+};
+
+ErrorsInFormat errors_in(const FuzzPlan& plan, const FuzzReport& report, std::size_t method, Format format) {
+  ErrorsInFormat sum;
+  std::size_t count = 0;
+  for (std::size_t s = 0; s < plan.streams.size(); ++s) {
+    const HitErrors& e = report.errors[plan.errors_at(method, s)];
+    if (plan.streams[s].format != format || e.hits == 0) continue;
+    sum.errors += e;
+    sum.families = ++count == 1 ? std::string(plan.streams[s].family->name) : std::to_string(count) + " families";
+  }
+  return sum;
+}
+
+/// The errors of the numbers given with right hits of rays, a line for each method and format: what each family has,
+/// summary.json says.
 std::string errors_table(const FuzzPlan& plan, const FuzzReport& report) {
   std::string text;
   char line[200];
   for (std::size_t m = 0; m < plan.methods.size(); ++m) {
-    for (std::size_t s = 0; s < plan.streams.size(); ++s) {
-      const HitErrors& e = report.errors[plan.errors_at(m, s)];
-      if (e.hits == 0) continue;
-      std::snprintf(line, sizeof line, "%-22s %-9s %-9s", plan.methods[m].name.c_str(),
-                    std::string(plan.streams[s].family->name).c_str(),
-                    std::string(name_of(plan.streams[s].format)).c_str());
-      text += line + errors_cells("t", e.t) + errors_cells("weights", e.weights) + "\n";
+    for (const Format format : {Format::binary64, Format::binary32}) {
+      const auto [errors, families] = errors_in(plan, report, m, format);
+      if (errors.hits == 0) continue;
+      std::snprintf(line, sizeof line, "%-22s %-9s %-9s", plan.methods[m].name.c_str(), families.c_str(),
+                    std::string(name_of(format)).c_str());
+      text += line + errors_cells("t", errors.t) + errors_cells("weights", errors.weights) + "\n";
     }
   }
   if (text.empty()) return "";
   return "errors of numbers in ulps of the exact value, of right hits of rays, one case in " +
-         std::to_string(measured_period) + ":\n" + text;
+         std::to_string(measured_period) + "; by family in --out DIR:\n" + text;
 }
 
 Json errors_json(const FuzzPlan& plan, const FuzzReport& report) {
@@ -261,6 +282,7 @@ std::vector<Case> counterexamples(const FuzzPlan& plan, const FuzzReport& report
   std::vector<std::size_t> kept(plan.methods.size());
   const auto faults = faults_of(report);
   for (const Finding& f : report.findings) {
+    fail_if_interrupted("no counterexamples written");
     const bool first_of_fault = f.fault && faults.at({f.method, f.fault.kind}).first == &f;
     if (kept[f.method]++ < keep || first_of_fault) cases.push_back(to_counterexample(plan, f));
   }
@@ -270,12 +292,13 @@ std::vector<Case> counterexamples(const FuzzPlan& plan, const FuzzReport& report
 
 FuzzReport run_plan(const Options& o, const FuzzPlan& plan) {
   if (o.out.empty()) return fuzz(plan);
+  const UnbrokenEnd unbroken;  // until the checkpoint is saved
   make_directory(o.out);
   FuzzReport start = empty_report(plan);
   if (o.resume) {
     if (const auto saved = load_checkpoint(o.out, plan)) start = *saved;
     print("going on after " + std::to_string(start.cases) + " cases\n");
-  } else if (std::filesystem::exists(checkpoint_path(o.out))) {
+  } else if (exists(checkpoint_path(o.out))) {
     throw Failure(Exit::usage,
                   checkpoint_path(o.out) + " is of an interrupted run: --resume goes on with it, or remove it");
   }
@@ -303,9 +326,11 @@ std::string totals(const FuzzPlan& plan, const FuzzReport& report) {
 
 void write_findings(const Options& o, const FuzzPlan& plan, const FuzzReport& report) {
   const auto cases = counterexamples(plan, report, o.keep);
-  write_file(o.out + "/summary.json", summary(plan, report).dump(1) + "\n");
-  write_file(o.out + "/counterexamples.jsonl", to_lines(cases));
-  remove_checkpoint(o.out);
+  OutputSet set;
+  set.add(o.out + "/counterexamples.jsonl", to_lines(cases));
+  set.add(o.out + "/summary.json", summary(plan, report).dump(1) + "\n");
+  set.commit();
+  remove_tree(checkpoint_path(o.out));
   print(std::to_string(cases.size()) + " counterexamples in " + o.out + "/counterexamples.jsonl" +
         (cases.empty() ? "" : "; `tribunal replay` shows them") + "\n");
 }
@@ -334,26 +359,35 @@ void require_judged(const FuzzPlan& plan, const FuzzReport& report) {
   }
 }
 
+/// What is left to do of a run whose cases are done. Fails with 128 + signal if one asks for an end before the results
+/// are written.
+int finish(const Options& o, const FuzzPlan& plan, const FuzzReport& report, bool stopped) {
+  const std::string first = plainest(plan, report);
+  if (!o.out.empty()) write_findings(o, plan, report);
+  print(first);
+  if (!stopped) require_judged(plan, report);
+  return code(report.findings.empty() ? Exit::ok : Exit::disagreement);
+}
+
 int run(const Options& o, const FuzzPlan& plan) {
   if (o.relations) return run_relations(plan, o.out);
-  watch_interrupts();  // from here on a signal leaves a checkpoint
+  const OrderlyEnd orderly;  // a signal is answered by what was found so far
   FuzzReport report = run_plan(o, plan);
-  ask_again(plan, report);
+  if (report.cases == 0) fail_if_interrupted("no case was run");
   if (report.cases == 0) throw Failure(Exit::resources, "no case was run");
+  ask_again(plan, report);
   const bool stopped = o.until_first && !report.findings.empty();
   const std::string counts =
       verdicts(plan, report) + table(plan, report) + coverage(plan, report) + errors_table(plan, report);
   print((stopped ? "" : counts) + fault_lines(plan, report) + totals(plan, report));
-  const bool complete = is_complete(plan, report);
-  if (!complete) {
-    print("INTERRUPTED after " + std::to_string(report.cases) + " of " + std::to_string(plan.cases) + " cases" +
-          (o.out.empty() ? "" : "; the same command with --resume goes on") + "\n");
-  } else if (!o.out.empty()) {
-    write_findings(o, plan, report);
+  try {
+    if (is_complete(plan, report)) return finish(o, plan, report, stopped);
+  } catch (const Failure& failure) {
+    if (code(failure.exit()) != 128 + interrupted()) throw;
   }
-  if (complete) print(plainest(plan, report));
-  if (complete && !stopped) require_judged(plan, report);
-  return exit_code_after(code(report.findings.empty() ? Exit::ok : Exit::disagreement), complete ? 0 : interrupted());
+  print("INTERRUPTED after " + std::to_string(report.cases) + " of " + std::to_string(plan.cases) + " cases" +
+        (o.out.empty() ? "" : "; the same command with --resume goes on") + "\n");
+  return 128 + interrupted();
 }
 
 /// The families that are asked, with those that are made of the user's own data. The streams point into it.
@@ -402,7 +436,7 @@ int run(const Options& o, ReadScene read_scene) {
 
 Action declare_fuzz(Arguments& arguments, ReadScene read_scene) {
   const auto o = std::make_shared<Options>();
-  arguments.option("--method", o->methods, "methods, separated by commas").shows_default();
+  add_methods_option(arguments, o->methods, default_methods);
   arguments.option("--family", o->families, family_help());
   arguments.option("--cases", o->cases,
                    "case file of your own (- is standard input): hunt from its cases, as they are and changed by ulps, "
@@ -412,23 +446,21 @@ Action declare_fuzz(Arguments& arguments, ReadScene read_scene) {
                    "mesh of your own (OFF, OBJ, PLY, STL): hunt from its triangles, with probes aimed at them");
   arguments.option("--scene", o->scene,
                    "scene of your own: hunt from the rays of its camera and of what it shades, and the triangles near");
-  arguments.option("--seed", o->seed, "seed of the cases").whole_number().shows_default();
-  arguments.option("--count", o->count, "cases in all (default 500000)").whole_number().above_zero();
+  arguments.option("--seed", o->seed, "seed of the cases").shows_default();
+  arguments.option("--count", o->count, "cases in all (default 500000)").above_zero();
   arguments.option("--seconds", o->seconds, "run for a time instead").above_zero();
   arguments.excludes("--seconds", "--count");
   add_threads_option(arguments, o->threads);
   arguments.option("--out", o->out, "directory for summary.json and counterexamples.jsonl");
   arguments.flag("--resume", o->resume, "go on with an interrupted run of the same plan in --out");
   arguments.needs("--resume", "--out");
-  arguments.option("--keep", o->keep, "counterexamples to shrink and write, a method").whole_number().shows_default();
+  arguments.option("--keep", o->keep, "counterexamples to shrink and write, a method").shows_default();
   arguments.flag("--relations", o->relations, "check relations between answers instead: no oracle is asked");
   arguments.excludes("--relations", "--seconds");
   arguments.flag("--until-first", o->until_first,
                  "stop at the first finding and print it: the one with the lowest case number, whatever the threads");
   arguments.excludes("--until-first", "--relations");
-  const Action action = with_plugins(arguments, [o, read_scene] { return run(*o, read_scene); });
-  arguments.needs("--plugin", "--method");  // else it would be loaded and not tried
-  return action;
+  return with_plugins(arguments, [o, read_scene] { return run(*o, read_scene); });
 }
 
 }  // namespace tribunal

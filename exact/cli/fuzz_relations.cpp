@@ -5,6 +5,7 @@
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
 #include "exact/base/interrupt.h"
+#include "exact/base/output.h"
 #include "exact/cases/case_io.h"
 #include "exact/cli/command.h"
 #include "exact/record/data_record.h"
@@ -77,14 +78,17 @@ std::string witnesses(const FuzzPlan& plan, const std::vector<RelationCount>& co
 int run_relations(const FuzzPlan& plan, const std::string& out) {
   if (!out.empty()) make_directory(out);
   const auto counts = check_relations(plan);
+  fail_if_interrupted("nothing was written");
   bool any_broken = false;
   for (const auto& c : counts) any_broken |= c.broken > 0;
   print(table(plan, counts));
   if (!out.empty()) {
-    write_file(out + "/relations.json", to_json(plan, counts).dump(1) + "\n");
-    write_file(out + "/witnesses.jsonl", witnesses(plan, counts));
+    OutputSet set;
+    set.add(out + "/witnesses.jsonl", witnesses(plan, counts));
+    set.add(out + "/relations.json", to_json(plan, counts).dump(1) + "\n");
+    set.commit();
   }
-  return exit_code_after(code(any_broken ? Exit::disagreement : Exit::ok), interrupted());
+  return code(any_broken ? Exit::disagreement : Exit::ok);
 }
 
 }  // namespace tribunal

@@ -61,6 +61,34 @@ std::vector<Method> methods_named(const std::string& comma_separated) {
   return methods;
 }
 
+Arguments::Option add_methods_option(Arguments& arguments, std::string& names, const std::string& otherwise) {
+  return arguments.option("--method,--methods", names,
+                          "methods, separated by commas (default: those of plugins" +
+                              (otherwise.empty() ? "" : "; without any, " + otherwise) + ")");
+}
+
+std::vector<Method> methods_on_trial(const std::string& named, const std::string& otherwise) {
+  if (!named.empty()) return methods_named(named);
+  std::vector<Method> methods;
+  for (const std::string& name : loaded_methods()) methods.push_back(method_named(name));
+  if (!methods.empty()) return methods;
+  if (!loaded_meshes().empty()) {
+    throw Failure(
+        Exit::usage,
+        "the plugin has a tree and no test of single triangles: `tribunal leak` asks it, others need --method");
+  }
+  if (!otherwise.empty()) return methods_named(otherwise);
+  throw Failure(Exit::usage, "no method given, expected --method with one that `tribunal methods` lists, or --plugin");
+}
+
+Method method_on_trial(const std::string& named) {
+  const std::vector<Method> methods = methods_on_trial(named);
+  if (methods.size() == 1) return methods.front();
+  std::string names;
+  for (const Method& m : methods) names += (names.empty() ? "" : ",") + m.name;
+  throw Failure(Exit::usage, "expected one method, found " + names + ": say which with --method");
+}
+
 std::vector<Stream> streams_named(const std::string& comma_separated) {
   if (comma_separated.empty()) return streams_of(Operands::triangles);
   std::vector<Stream> streams;

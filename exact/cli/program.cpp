@@ -2,6 +2,7 @@
 
 #include <csignal>
 #include <cstdio>
+#include <locale>
 #include <new>
 #include <string>
 #include <system_error>
@@ -10,12 +11,25 @@
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
 #include "exact/base/fp_environment.h"
+#include "exact/base/interrupt.h"
+#include "exact/base/plain_locale.h"
+#include "exact/base/shown.h"
+#include "exact/base/sudden_end.h"
 
 namespace tribunal {
 namespace {
 
+/// How long a line of an error may be. What ends with a whole case, for whoever wants to replay it, may be longer.
+constexpr std::size_t longest_line(Exit e) {
+  return e == Exit::disagreement || e == Exit::oracles_contradict ? std::size_t{1} << 20 : 1000;
+}
+
+/// The only way of a message to standard error.
 int fail(Exit exit, const std::string& line) {
-  std::fprintf(stderr, "%s%s\n", exit == Exit::bad_input ? "" : "tribunal: ", line.c_str());
+  const std::string text = shown_shortly(line, longest_line(exit));
+  // Static objects may have been made in another rounding mode; CGAL's would abort as they are destroyed.
+  if (exit == Exit::fp_environment) end_at_once(exit, text);
+  std::fprintf(stderr, "%s%s\n", exit == Exit::bad_input ? "" : "tribunal: ", text.c_str());
   return code(exit);
 }
 
@@ -41,10 +55,17 @@ int run_command(std::span<const Command> commands, const std::vector<std::string
 }
 
 int run_program(std::span<const Command> commands, int argc, char** argv) {
+  install_last_resort();
+  use_plain_locale();
   std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is then a failed write, which has its own exit code
+  std::signal(SIGXFSZ, SIG_IGN);  // and so is a file that would become larger than the limit
+  watch_interrupts();
   try {
-    require_exact_rounding();
-    return run_command(commands, std::vector<std::string>(argv + 1, argv + argc));
+    std::locale::global(std::locale::classic());
+    refuse_changed_rounding();  // it was repaired before static objects were made
+    const int exit = run_command(commands, std::vector<std::string>(argv + 1, argv + argc));
+    require_exact_rounding();  // all is written; CGAL aborts at exit if it finds another mode
+    return exit;
   } catch (const Failure& failure) {
     return fail(failure.exit(), failure.what());
   } catch (const std::bad_alloc&) {

@@ -5,6 +5,7 @@
 
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
+#include "exact/base/output.h"
 #include "exact/base/record.h"
 #include "exact/cli/command.h"
 #include "exact/report/classes.h"
@@ -17,28 +18,17 @@ struct Options {
   std::string out = "report.html", json, classes;
 };
 
-/// For a terminal: names and faults come from files, and may hold what would steer it.
-std::string printable(std::string text) {
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    const bool c1 = byte == 0xc2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xa0;
-    if (c1) text[i + 1] = '?';
-    if (byte < 0x20 || byte == 0x7f || c1) text[i] = '?';
-  }
-  return text;
-}
-
 /// What the page says first, and what it does not show.
 std::string in_words(const Json& report, const std::string& out) {
   std::string text;
   const Record all(report, {out});
   for (const Record& line : all.items("verdicts")) {
     const std::string detail = line.text("detail");
-    text += printable(line.text("text") + (detail.empty() ? "" : "; " + detail)) + "\n";
+    text += (line.text("text") + (detail.empty() ? "" : "; " + detail)) + "\n";
   }
-  for (const Record& what : all.items("left_out")) text += "left out: " + printable(what.text()) + "\n";
+  for (const Record& what : all.items("left_out")) text += "left out: " + (what.text()) + "\n";
   return text + "\n" + std::to_string(report["runs"].size()) + " results, " + std::to_string(report["cases"].size()) +
-         " cases; open " + printable(out) + "\n";
+         " cases; open " + out + "\n";
 }
 
 int run(const Options& o) {
@@ -46,14 +36,14 @@ int run(const Options& o) {
   if (!o.plan.directories.empty()) outputs.push_back({"--out", o.out});
   std::erase_if(outputs, [](const Output& output) { return output.file.empty(); });
   require_distinct(outputs);
-  if (!o.classes.empty()) {
-    write_file(o.classes, classes_json().dump(1) + "\n");
-    if (o.plan.directories.empty()) return code(Exit::ok);
-  }
+  OutputSet set;
+  if (!o.classes.empty()) set.add(o.classes, classes_json().dump(1) + "\n");
+  if (!o.classes.empty() && o.plan.directories.empty()) return set.commit(), code(Exit::ok);
   if (o.plan.directories.empty()) throw Failure(Exit::usage, "report: no directory given, expected one with results");
   const Json report = gather_report(o.plan);
-  if (!o.json.empty()) write_file(o.json, report.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
-  write_file(o.out, report_page(report));
+  if (!o.json.empty()) set.add(o.json, report.dump() + "\n");
+  set.add(o.out, report_page(report));
+  set.commit();
   if (o.out != "-" && o.json != "-" && o.classes != "-") print(in_words(report, o.out));
   return code(Exit::ok);
 }

@@ -2,14 +2,13 @@
 #include "exact/sweep/sweep.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 
 #include "exact/base/embedded.h"
 #include "exact/base/failure.h"
 #include "exact/base/figures.h"
 #include "exact/base/files.h"
-#include "exact/base/interrupt.h"
+#include "exact/base/output.h"
 #include "exact/base/suggestion.h"
 #include "exact/cases/case_io.h"
 #include "exact/cli/command.h"
@@ -91,6 +90,21 @@ void require_asked(const SweepPlan& plan) {
   }
 }
 
+/// The figures that are drawn of a record.
+FigureNames figures_of(const std::string& record) {
+  if (record == "sweep.json") return sweep_figures;
+  return {record.substr(0, record.size() - std::string_view(".json").size())};
+}
+
+/// A record that is a file by itself, and its figure.
+void write_and_draw(const std::string& directory, const std::string& record, const std::string& text) {
+  OutputSet set;
+  drop_figures(set, directory, figures_of(record));
+  set.add(directory + "/" + record, text);
+  set.commit();
+  draw_figures(directory, embedded_sweep_script, record, figures_of(record));
+}
+
 // --- failure maps ---------------------------------------------------------------------------------------------------
 
 std::vector<std::string> map_names() {
@@ -109,8 +123,7 @@ MapKind map_of(const Options& o) {
 }
 
 MapPlan map_plan_of(const Options& o, const MapKind& map) {
-  MapPlan plan{
-      .methods = methods_named(o.methods.empty() ? default_methods : o.methods), .map = map, .threads = o.plan.threads};
+  MapPlan plan{.methods = methods_on_trial(o.methods, default_methods), .map = map, .threads = o.plan.threads};
   for (const Method& m : plan.methods) {
     const Probes& probes = m.contract.probes;
     const bool takes_probe = map.probe == ProbeKind::ray ? probes.rays : probes.segments;
@@ -151,11 +164,9 @@ int run_map(const Options& o) {
   if (!o.pixel.empty()) return print_pixel(o, kind);
   const MapPlan plan = map_plan_of(o, kind);
   make_directory(o.out);
-  watch_interrupts();
   const FailureMap map = failure_map(plan);
   print(to_table(plan, map));
-  write_file(o.out + "/" + file_of(kind), to_json_text(plan, map));
-  draw_figures(o.out, embedded_sweep_script, file_of(kind));
+  write_and_draw(o.out, file_of(kind), to_json_text(plan, map));
   const std::string name = "map-" + kind.name();
   print("written: " + o.out + "/" + name + ".json, " + name + ".svg, " + name + ".png, plot.py\n");
   return 0;
@@ -175,11 +186,9 @@ int run_compilers(const Options& o) {
     for (const Method& m : methods_named(o.methods)) plan.methods.push_back(m.name);
   }
   make_directory(o.out);
-  watch_interrupts();
   const std::vector<BuildRow> rows = compare_builds(plan);
   print(to_table(plan, rows));
-  write_file(o.out + "/compilers.json", to_json(plan, rows).dump(1) + "\n");
-  draw_figures(o.out, embedded_sweep_script, "compilers.json");
+  write_and_draw(o.out, "compilers.json", to_json(plan, rows).dump(1) + "\n");
   print("\nwritten: " + o.out + "/compilers.json, compilers.svg, compilers.png, plot.py\n");
   return 0;
 }
@@ -188,7 +197,7 @@ int run_compilers(const Options& o) {
 int redraw(const std::string& directory) {
   std::vector<std::string> records;
   const auto add = [&](const std::string& file) {
-    if (std::filesystem::exists(directory + "/" + file)) records.push_back(file);
+    if (exists(directory + "/" + file)) records.push_back(file);
   };
   add("sweep.json");
   add("compilers.json");
@@ -197,14 +206,11 @@ int redraw(const std::string& directory) {
   }
   if (records.empty()) throw bad_input(directory, 0, "no record, expected sweep.json, compilers.json or map-NAME.json");
   for (const std::string& file : records) {
-    draw_figures(directory, embedded_sweep_script, file);
+    draw_figures(directory, embedded_sweep_script, file, figures_of(file));
     print("drawn again from " + directory + "/" + file + "\n");
   }
   return 0;
 }
-
-/// The mesh that an axis aimed at, for `leak` and `render`.
-std::string mesh_file(const SweepPlan& plan) { return std::string(plan.of_mesh->axis->name) + ".off"; }
 
 int run(const Options& o) {
   if (!o.redraw.empty()) return redraw(o.redraw);
@@ -212,17 +218,15 @@ int run(const Options& o) {
   if (o.axes == compiler_axis) return run_compilers(o);
   SweepPlan plan = o.plan;
   set_axes(plan, o);
-  plan.methods = methods_named(o.methods.empty() ? default_methods : o.methods);
+  plan.methods = methods_on_trial(o.methods, default_methods);
   if (o.methods.empty()) std::erase_if(plan.methods, [&](const Method& m) { return !is_asked(plan, m); });
   require_asked(plan);
   make_directory(o.out);
-  watch_interrupts();
   const Sweep result = sweep(plan);
   const std::vector<Threshold> thresholds = thresholds_of(plan, result);
   print(to_table(plan, result, thresholds));
   write_record(o.out, plan, result, with_witnesses(plan, result, thresholds));
-  if (plan.of_mesh) write_file(o.out + "/" + mesh_file(plan), plan.of_mesh->off);
-  draw_figures(o.out, embedded_sweep_script, "sweep.json");
+  draw_figures(o.out, embedded_sweep_script, "sweep.json", sweep_figures);
   print("written: " + o.out + "/sweep.json, sweep.csv, witnesses.jsonl, " +
         (plan.of_mesh ? mesh_file(plan) + ", " : "") + "thresholds.svg, a figure for each axis, plot.py\n");
   return 0;
@@ -233,12 +237,11 @@ int run(const Options& o) {
 Action declare_sweep(Arguments& arguments, const MeshAxisMaker& maker) {
   const auto o = std::make_shared<Options>();
   o->of_mesh = maker;
-  arguments.option("--method,--methods", o->methods,
-                   std::string("methods, separated by commas (default ") + default_methods + ")");
+  add_methods_option(arguments, o->methods, default_methods);
   arguments.option("--axis,--axes", o->axes, axis_help(maker));
   arguments.option("--mesh", o->mesh,
                    "closed mesh (OFF, OBJ, PLY, STL) for the axis " + std::string(maker.name) + " (default: a torus)");
-  arguments.option("--seed", o->plan.seed, "seed of the cases").whole_number().shows_default();
+  arguments.option("--seed", o->plan.seed, "seed of the cases").shows_default();
   arguments.option("--count", o->plan.cases, "cases at each value of each axis, in each format")
       .between(std::uint64_t{1}, std::uint64_t{1} << 32)
       .shows_default();
@@ -259,9 +262,7 @@ Action declare_sweep(Arguments& arguments, const MeshAxisMaker& maker) {
   arguments.excludes("--mesh", "--map");
   arguments.excludes("--mesh", "--redraw");
   arguments.excludes("--redraw", "--map");
-  const Action action = with_plugins(arguments, [o] { return run(*o); });
-  arguments.needs("--plugin", "--method");  // else it would be loaded and not tried
-  return action;
+  return with_plugins(arguments, [o] { return run(*o); });
 }
 
 }  // namespace tribunal

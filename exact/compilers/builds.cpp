@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "exact/base/failure.h"
+#include "exact/base/files.h"
 #include "exact/base/fp_environment.h"
 #include "exact/compilers/battery.h"
 #include "exact/methods/methods.h"
@@ -61,13 +62,12 @@ Build load_build(const std::string& file) {
 }
 
 std::vector<Build> all_builds() {
-  const auto here = std::filesystem::read_symlink("/proc/self/exe").parent_path();
+  const auto here = std::filesystem::path(program_file()).parent_path();
   std::vector<std::string> files;
   for (const auto& folder : {here / "compilers", here.parent_path() / "compilers"}) {
-    std::error_code missing;
-    for (const auto& entry : std::filesystem::directory_iterator(folder, missing)) {
-      if (entry.path().extension() == ".so") files.push_back(entry.path().string());
-    }
+    if (!is_directory(folder.string())) continue;
+    std::ranges::copy_if(files_in(folder.string()), std::back_inserter(files),
+                         [](const std::string& file) { return file.ends_with(".so"); });
   }
   std::ranges::sort(files);
   std::vector<Build> builds;

@@ -32,6 +32,7 @@ bool same_word(std::string_view token, std::string_view word) {
 
 /// A binary file that was cut may begin with "solid" too, but has a NUL byte in the header or in the count after it.
 bool looks_like_text(std::string_view bytes) {
+  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
   const std::size_t first = std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size());
   return same_word(bytes.substr(first, 5), "solid") && bytes.substr(0, header_size).find('\0') == bytes.npos;
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "exact/base/shown.h"
+
 namespace tribunal {
 namespace {
 
@@ -25,9 +27,7 @@ std::string describe(NumberFault fault, std::string_view token) {
 }  // namespace
 
 std::string in_quotes(std::string_view token) {
-  std::string text(token.substr(0, 32));
-  for (char& c : text) c = static_cast<unsigned char>(c) < 32 || c == 127 ? '?' : c;
-  return "\"" + text + (token.size() > 32 ? "…\"" : "\"");
+  return "\"" + shown(token.substr(0, 32)) + (token.size() > 32 ? "…\"" : "\"");
 }
 
 void require_text(const std::string& file, std::string_view bytes) {

@@ -11,7 +11,7 @@
 
 namespace tribunal {
 
-/// For messages: the token in quotes, shortened, with control characters replaced.
+/// For messages: the token in quotes, shortened, with escapes for what does not show.
 std::string in_quotes(std::string_view token);
 
 /// Fails with the line of the first NUL byte: text formats have none.
@@ -24,11 +24,12 @@ struct TextStyle {
 };
 
 /// Walks over a text line by line, and over each line token by token. Blanks, tabs and carriage returns separate
-/// tokens; lines without tokens are skipped. The file's name and the text must outlive it.
+/// tokens; lines without tokens are skipped, and so is a byte-order mark before the first. The file's name and the text
+/// must outlive it.
 class Text {
  public:
   Text(const std::string& file, std::string_view text, TextStyle style = {})
-      : file_(file), text_(text), style_(style) {}
+      : file_(file), text_(text), style_(style), next_(mark_at(text)) {}
 
   /// Moves to the next line that has tokens, whatever is left of the current one; false at the end of the text.
   bool next_line();
@@ -66,6 +67,7 @@ class Text {
   Failure early_end(const std::string& expected) const;
 
  private:
+  static std::size_t mark_at(std::string_view text) { return text.starts_with("\xEF\xBB\xBF") ? 3 : 0; }
   bool open_line();
   void mark(std::size_t offset);
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "exact/base/failure.h"
+#include "exact/base/sudden_end.h"
 #include "exact/plugin/calls.h"
 
 namespace tribunal {
@@ -64,6 +65,9 @@ Reply PluginChildren::ask(const Child& child, const Message& question, double se
 Fault PluginChildren::fault_of_end(const Child& child, Transfer state, double seconds) const {
   const int status = server_.end(child, state != Transfer::closed);
   if (state == Transfer::garbled) return garbled();
+  if (WIFEXITED(status) && WEXITSTATUS(status) == child_lacked_memory) {
+    throw Failure(Exit::resources, "out of memory in a plugin's process");
+  }
   if (WIFEXITED(status)) return {Status::exited, "status " + std::to_string(WEXITSTATUS(status))};
   const int signal = WTERMSIG(status);
   if (state == Transfer::late && signal == SIGKILL) return {Status::timed_out, seconds_text(seconds)};

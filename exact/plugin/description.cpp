@@ -7,32 +7,17 @@
 
 #include "exact/base/failure.h"
 #include "exact/base/json.h"
+#include "exact/base/shown.h"
 
 namespace tribunal {
 namespace {
 
-constexpr std::size_t longest_name = 32, longest_text = 100;
+constexpr std::size_t longest_text = 100;
 
 // --- the description, checked -----------------------------------------------------------------------------------
 
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-
-bool fits_a_name(char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '.' || c == '_' || c == '-'; }
-
-bool is_name(const std::string& s) {
-  return !s.empty() && s.size() <= longest_name && is_letter(s[0]) && std::all_of(s.begin(), s.end(), fits_a_name);
-}
-
-/// Whether s may stand in reports: it has no control characters and is UTF-8, which JSON requires.
-bool is_text(const std::string& s) {
-  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
-  if (s.empty() || s.size() > longest_text || std::any_of(s.begin(), s.end(), is_control)) return false;
-  try {
-    return !Json(s).dump().empty();
-  } catch (const nlohmann::json::exception&) {
-    return false;
-  }
-}
+/// Whether s may stand in reports.
+bool is_text(const std::string& s) { return !s.empty() && s.size() <= longest_text && shows_as_it_is(s); }
 
 /// Reads at most one character beyond the longest text allowed, since the string may lack its end.
 std::string string_from(const char* s, const char* what, const std::string& file) {
@@ -43,9 +28,7 @@ std::string string_from(const char* s, const char* what, const std::string& file
 std::string name_from(const char* s, const std::string& file) {
   const std::string name = string_from(s, "name", file);
   if (is_name(name)) return name;
-  throw bad_input(file, 0,
-                  "name is " + Json(name).dump(-1, ' ', true, Json::error_handler_t::replace) +
-                      ", expected 1 to 32 of a-z A-Z 0-9 . _ -, a letter first");
+  throw bad_input(file, 0, "name is \"" + name + "\", expected " + name_rule);
 }
 
 std::string text_from(const char* s, const char* what, const std::string& file) {

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "exact/base/failure.h"
+#include "exact/base/sudden_end.h"
 
 namespace tribunal {
 namespace {
@@ -183,6 +184,7 @@ ForkServer::ForkServer(const Body& body) {
   pid_ = fork();
   if (pid_ < 0) fail(errno);
   if (pid_ == 0) {
+    become_child();
     setsid();
     close(sockets.ours);
     serve(sockets.theirs, body);

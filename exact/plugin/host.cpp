@@ -5,10 +5,12 @@
 #include <tuple>
 
 #include "exact/base/fp_environment.h"
+#include "exact/base/shown.h"
 #include "exact/plugin/calls.h"
 #include "exact/plugin/description.h"
 #include "exact/plugin/library.h"
 #include "exact/plugin/mesh_calls.h"
+#include "exact/plugin/without_exceptions.h"
 
 namespace tribunal {
 namespace {
@@ -249,7 +251,7 @@ std::optional<Reply> reply_in(std::vector<char> bytes) {
   Reader in(std::move(bytes));
   Reply reply;
   reply.fault.kind = in.take<Status>();
-  reply.fault.detail = in.take_text();
+  reply.fault.detail = shown_shortly(in.take_text(), longest_what);
   reply.hit = in.take<tribunal_hit>();
   reply.answers = in.take_many<int>(in.take<std::size_t>());
   reply.hits = in.take_many<tribunal_mesh_hit>(in.take<std::size_t>());

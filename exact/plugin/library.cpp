@@ -5,11 +5,12 @@
 
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
 #include <optional>
 
 #include "exact/base/failure.h"
+#include "exact/base/files.h"
 #include "exact/base/fp_environment.h"
+#include "exact/base/plain_locale.h"
 
 namespace tribunal {
 namespace {
@@ -22,7 +23,7 @@ constexpr const char* mesh_entry_point = "tribunal_plugin_describe_meshes";
 std::string as_path(const std::string& file) { return file.find('/') == std::string::npos ? "./" + file : file; }
 
 void require_file(const std::string& file) {
-  if (std::filesystem::is_directory(file)) throw bad_input(file, 0, "is a directory, expected a shared library");
+  if (is_directory(file)) throw bad_input(file, 0, "is a directory, expected a shared library");
   if (access(file.c_str(), R_OK) != 0) throw bad_input(file, 0, std::string("cannot read: ") + std::strerror(errno));
 }
 
@@ -46,6 +47,7 @@ std::optional<const D*> described_by(void* library, const char* name, const std:
   const auto describe = reinterpret_cast<const D* (*)()>(dlsym(library, name));
   if (describe == nullptr) return std::nullopt;
   const D* const description = describe();
+  use_plain_locale();
   require_exact_rounding();  // whatever the library did as it was loaded and asked
   if (description == nullptr) throw bad_input(file, 0, std::string(name) + " returned NULL");
   return description;

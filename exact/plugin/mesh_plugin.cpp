@@ -29,7 +29,8 @@ Failure failure_of(const Fault& fault, const std::string& file, const char* func
   const std::string who = std::string(function) + " of a mesh ";
   if (fault.kind == Status::gave_no_answer) return bad_input(file, 0, who + fault.detail);
   if (fault.kind == Status::changed_environment) {
-    return Failure(Exit::fp_environment, file + ": " + who + "changed the rounding mode or flushes to zero");
+    return Failure(Exit::fp_environment,
+                   file + ": " + who + "changed the rounding mode, precision or exceptions, or flushes to zero");
   }
   return Failure(Exit::disagreement, file + ": " + who + describe(fault));
 }

@@ -15,7 +15,8 @@ namespace tribunal {
 void Line::require_same_environment() const {
   if (has_exact_rounding()) return;
   require_exact_rounding();  // for what remains to be done: CGAL aborts at exit if it finds another mode
-  throw Failure(Exit::fp_environment, file + ": changed the rounding mode or flushes to zero");
+  throw Failure(Exit::fp_environment,
+                file + ": changed the rounding mode, precision or exceptions, or flushes to zero");
 }
 
 namespace {

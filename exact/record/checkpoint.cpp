@@ -1,7 +1,6 @@
 #include "exact/record/checkpoint.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <set>
 #include <span>
 #include <tuple>
@@ -9,6 +8,7 @@
 
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
+#include "exact/base/output.h"
 #include "exact/record/chain.h"
 #include "exact/record/data_record.h"
 #include "exact/record/errors_json.h"
@@ -263,15 +263,15 @@ void save_checkpoint(const std::string& directory, const FuzzPlan& plan, const F
   log_errors(log, plan, report);
   for (const Finding& f : report.findings) log.add(finding_record(f));
   log.add({{"record", "done"}, {"cases", report.cases}, {"audited", report.audited}});
-  write_file(checkpoint_path(directory), log.finish());
-  for (const char* of_another_run : {"/summary.json", "/counterexamples.jsonl"}) {
-    std::filesystem::remove(directory + of_another_run);
-  }
+  OutputSet set;
+  for (const char* of_another_run : {"/summary.json", "/counterexamples.jsonl"}) set.drop(directory + of_another_run);
+  set.add(checkpoint_path(directory), log.finish());
+  set.commit(AfterSignal::appears);
 }
 
 std::optional<FuzzReport> load_checkpoint(const std::string& directory, const FuzzPlan& plan) {
   const std::string path = checkpoint_path(directory);
-  if (!std::filesystem::exists(path)) return std::nullopt;
+  if (!exists(path)) return std::nullopt;
   const LogRecords log = read_log(path);
   if (const Json saved = saved_plan(log); saved != plan_record(plan)) {
     throw Failure(Exit::usage, path + " is of a run with " + difference(saved, plan_record(plan)));
@@ -279,7 +279,5 @@ std::optional<FuzzReport> load_checkpoint(const std::string& directory, const Fu
   if (log.size() < 2) Where{path}.fail("does not say how far the run came");
   return CheckpointReader(plan, log).report();
 }
-
-void remove_checkpoint(const std::string& directory) { std::filesystem::remove(checkpoint_path(directory)); }
 
 }  // namespace tribunal

@@ -18,6 +18,4 @@ void save_checkpoint(const std::string& directory, const FuzzPlan& plan, const F
 /// The saved report, or nothing if there is none. Fails with Exit::usage if it belongs to another plan.
 std::optional<FuzzReport> load_checkpoint(const std::string& directory, const FuzzPlan& plan);
 
-void remove_checkpoint(const std::string& directory);
-
 }  // namespace tribunal

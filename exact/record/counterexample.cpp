@@ -5,6 +5,7 @@
 
 #include "exact/base/failure.h"
 #include "exact/base/record.h"
+#include "exact/base/shown.h"
 #include "exact/classes/class_table.h"
 #include "exact/methods/methods.h"
 #include "exact/record/contract_json.h"
@@ -138,6 +139,11 @@ std::string row(const std::string& a, const std::string& b, const std::string& c
   return line;
 }
 
+/// Id, format and points.
+std::string heading(const Case& c) {
+  return shown(c.id) + "  (" + std::string(name_of(c.format)) + ")\n" + points_of(c.query);
+}
+
 /// "WRONG: false hit, rounding"
 std::string wrong_in_words(const Method& method, const Query& query, const Truth& truth, Outcome outcome) {
   const Cause cause = cause_of(method, query, truth, outcome);
@@ -247,7 +253,7 @@ Case shrunk(Case c, const Method& method) {
   const Truth truth = exact_truth(c.query);
   const Asked seen = observe(method, c.query, blames_a_fault(c.finding) ? times_for_known_fault : 1);
   if (!seen.fault && !is_wrong(judge(method, truth, seen.answer))) {
-    throw Failure(Exit::bad_input, c.id + ": " + method.name + " answers it rightly, expected a counterexample");
+    throw Failure(Exit::bad_input, shown(c.id) + ": " + method.name + " answers it rightly, expected a counterexample");
   }
   const Json origin = c.finding.is_object() && c.finding.contains("origin") ? c.finding["origin"] : Json();
   c = seen.fault ? with_fault(std::move(c), method, truth, seen.fault) : with_shrunk_finding(std::move(c), method);
@@ -270,16 +276,33 @@ std::string mistaken_claim(const Case& c, const Truth& truth) {
   return "the case claims " + class_name(c.class_id) + ", the exact answer is " + describe(truth);
 }
 
-std::string replay(const Case& c, bool& wrong) {
+namespace {
+
+/// Of a case with numbers that are not finite, which every method must refuse.
+std::string refusals(const Case& c, const std::vector<Method>& methods, bool& wrong) {
+  std::string text = "  no exact answer: a number is not finite\n" + row("method", "answer", "contact", "verdict");
+  for (const Method& method : methods) {
+    const Answer answer = try_ask(method, c.query).answer;
+    const bool refused = answer.status == Status::nonfinite;
+    wrong |= !refused;
+    text += row(method.name, "-", "", (refused ? "" : "WRONG: ") + std::string(name_of(answer.status)));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string replay(const Case& c, const std::vector<Method>& methods, bool& wrong) {
+  if (!is_finite(c.query)) return heading(c) + refusals(c, methods, wrong);
   const Truth truth = exact_truth(c.query);
-  std::string text = c.id + "  (" + std::string(name_of(c.format)) + ")\n" + points_of(c.query);
-  text += "  exact " + exact_evidence(c.query).dump() + "\n  exact answer " + describe(truth) + "\n";
+  std::string text =
+      heading(c) + "  exact " + exact_evidence(c.query).dump() + "\n  exact answer " + describe(truth) + "\n";
   if (const std::string error = mistaken_claim(c, truth); !error.empty()) {
     wrong = true;
     text += "  THE FILE IS WRONG: " + error + "\n";
   }
   text += row("method", "answer", "contact", "verdict");
-  for (const Method& method : all_methods()) text += verdict_of(method, c, truth, wrong);
+  for (const Method& method : methods) text += verdict_of(method, c, truth, wrong);
   return text;
 }
 

@@ -52,8 +52,8 @@ std::string to_lines(const std::vector<Case>& cases);
 /// What is wrong with a case's own "expect" or "class"; empty if nothing is.
 std::string mistaken_claim(const Case& c, const Truth& truth);
 
-/// What `replay` prints of a case: points, evidence, exact answer and every method's. Sets `wrong` if some method
-/// that takes the case answers wrongly, or the case claims something false of itself.
-std::string replay(const Case& c, bool& wrong);
+/// What `replay` prints of a case: points, evidence, exact answer and that of each method. Sets `wrong` if one of
+/// them that takes the case answers wrongly, or the case claims something false of itself.
+std::string replay(const Case& c, const std::vector<Method>& methods, bool& wrong);
 
 }  // namespace tribunal

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "exact/base/failure.h"
+#include "exact/base/shown.h"
 #include "exact/kernels/rational_kernel.h"
 #include "exact/record/five_signs.h"
 #include "exact/trial/describe.h"
@@ -33,10 +34,9 @@ const Point3& vector_of(const Direction& d) { return d.v; }
 
 /// The text for a comment of any of the languages: on one line, and with neither end of a comment in it. An id is
 /// anything that a file says, and must not become code.
-std::string as_comment(std::string text) {
-  for (char& letter : text) {
-    if (std::iscntrl(static_cast<unsigned char>(letter)) != 0) letter = ' ';
-  }
+std::string as_comment(const std::string& from) {
+  constexpr std::size_t longest = 400;
+  std::string text = shown_shortly(from, longest);
   for (const char* mark : {"*/", "/*"}) {
     for (std::size_t at; (at = text.find(mark)) != std::string::npos;) text.insert(at + 1, " ");
   }
@@ -216,13 +216,21 @@ std::string emit(const std::vector<Case>& cases, std::string_view language, cons
                  const std::string& file) {
   const auto quoted = [](double x) { return "'" + hex(x) + "'"; };
   std::vector<Parts> all;
+  std::vector<Case> asked;
+  std::string left_out;
   for (const Case& c : cases) {
     if (c.query.operands() != Operands::triangles)
-      throw bad_input(file, 0, c.id + " is of a polygon, expected triangles");
+      throw bad_input(file, 0, shown(c.id) + " is of a polygon, expected triangles");
+    if (!is_finite(c.query)) {
+      const std::string why = as_comment(c.id + ": no test, a number is not finite");
+      left_out += language == "python" ? "# " + why + "\n" : "/* " + why + " */\n";
+      continue;
+    }
+    asked.push_back(c);
     all.push_back(language == "python" ? parts_of(c, all.size() + 1, quoted) : parts_of(c, all.size() + 1, hex));
   }
-  if (language == "python") return python_file(all, cases);
-  return language == "c" ? c_file(all, function) : gtest_file(all, function);
+  if (language == "python") return left_out + python_file(all, asked);
+  return left_out + (language == "c" ? c_file(all, function) : gtest_file(all, function));
 }
 
 }  // namespace tribunal

@@ -3,16 +3,18 @@
 #include <gmp.h>
 
 #include <boost/version.hpp>
-#include <fstream>
+#include <sstream>
 #include <string>
 
+#include "exact/base/files.h"
 #include "exact/base/json.h"
 
 namespace tribunal {
 namespace {
 
 std::string read_processor() {
-  std::ifstream info("/proc/cpuinfo");
+  const std::string file = "/proc/cpuinfo";
+  std::istringstream info(exists(file) ? read_file(file) : "");
   for (std::string line; std::getline(info, line);) {
     if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
   }

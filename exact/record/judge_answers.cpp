@@ -6,10 +6,12 @@
 #include <unordered_map>
 
 #include "exact/base/failure.h"
+#include "exact/base/foreign_json.h"
 #include "exact/base/interrupt.h"
 #include "exact/base/parallel.h"
 #include "exact/base/progress.h"
 #include "exact/base/record.h"
+#include "exact/base/shown.h"
 #include "exact/record/counterexample.h"
 
 namespace tribunal {
@@ -23,14 +25,17 @@ void answer_exactly(Exam& exam, const std::string& path, unsigned threads) {
   Progress progress("judge", "cases", n);
   const auto work = [&](std::size_t block, unsigned) {
     const std::size_t begin = block * block_size, end = std::min(n, begin + block_size);
-    for (std::size_t i = begin; i < end; ++i) exam.truths[i] = exact_truth(exam.cases[i].query);
+    for (std::size_t i = begin; i < end; ++i) {
+      if (is_finite(exam.cases[i].query)) exam.truths[i] = exact_truth(exam.cases[i].query);
+    }
     progress.add(end - begin, 0);
   };
   run_blocks((n + block_size - 1) / block_size, threads, work, {});
   if (interrupted() != 0) throw Failure(static_cast<Exit>(128 + interrupted()), "interrupted; nothing was judged");
   for (std::size_t i = 0; i < n; ++i) {
+    if (!is_finite(exam.cases[i].query)) continue;
     const std::string error = mistaken_claim(exam.cases[i], exam.truths[i]);
-    if (!error.empty()) throw bad_input(path, 0, exam.cases[i].id + ": " + error);
+    if (!error.empty()) throw bad_input(path, 0, shown(exam.cases[i].id) + ": " + error);
   }
 }
 
@@ -82,14 +87,6 @@ Contact contact_at(const Json& object, const Where& where) {
                             "\"");
 }
 
-/// A number as cases have them, or one that is none: a method may have computed it.
-double number_at(const Json& value, const Where& where) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  if (value == "nan") return std::numeric_limits<double>::quiet_NaN();
-  if (value == "inf" || value == "-inf") return value == "inf" ? infinity : -infinity;
-  return to_number(value, Format::binary64, where);
-}
-
 /// "t", and with it "weights": those of b and c.
 std::optional<HitAt> numbers_at(const Json& object, const Where& where) {
   if (!object.contains("t")) {
@@ -97,12 +94,12 @@ std::optional<HitAt> numbers_at(const Json& object, const Where& where) {
     return std::nullopt;
   }
   if (!object.contains("hit") || object["hit"] != 1) where.key("t").fail("given of what is no hit");
-  HitAt at{.t = number_at(object["t"], where.key("t"))};
+  HitAt at{.t = to_any_number(object["t"], Format::binary64, where.key("t"))};
   if (!object.contains("weights")) return at;
   const Json& weights = object["weights"];
   if (!weights.is_array() || weights.size() != 2) where.key("weights").fail("expected those of b and c, two numbers");
-  at.weights = BarycentricWeights{number_at(weights[0], where.key("weights").index(0)),
-                                  number_at(weights[1], where.key("weights").index(1))};
+  at.weights = BarycentricWeights{to_any_number(weights[0], Format::binary64, where.key("weights").index(0)),
+                                  to_any_number(weights[1], Format::binary64, where.key("weights").index(1))};
   return at;
 }
 
@@ -145,7 +142,7 @@ class Sheets {
   void add(const Json& object, const Where& where) {
     const Answer answer = to_answer(object, where);
     const std::string id = text_at(object, "id", where);
-    const std::string method = object.contains("method") ? text_at(object, "method", where) : "answers";
+    const std::string method = object.contains("method") ? name_at(object, "method", where) : "answers";
     const auto place = places_.find(id);
     if (place == places_.end()) where.fail("answers \"" + id + "\", which is no case's id");
     std::optional<Answer>& slot = sheet_of(method).answers[place->second];
@@ -186,7 +183,7 @@ class Sheets {
     if (missing == 0) return answers;
     throw bad_input(path, 0,
                     std::to_string(missing) + " of " + std::to_string(ids_.size()) + " answers of " + sheet.method +
-                        " are missing, the first to \"" + ids_[first] + "\"; expected one for each case");
+                        " are missing, the first to \"" + shown(ids_[first]) + "\"; expected one for each case");
   }
 
   const std::vector<std::string>& ids_;

@@ -23,7 +23,8 @@ struct AnswerSheet {
   }
 };
 
-/// A case file with its exact answers, in the file's order.
+/// A case file with its exact answers, in the file's order; a case that is not finite has none, and its truth no
+/// meaning.
 struct Exam {
   std::vector<Case> cases{};
   std::vector<Truth> truths{};

@@ -51,8 +51,8 @@ void CaseBook::read(std::size_t run, const std::string& file) {
     found.rank = rank_of(found.c, where.key("finding"));
     Json short_form = object;
     if (short_form.contains("finding")) short_form.erase("finding");
-    if (short_form.dump().size() > longest_line) {
-      ++too_long_[run];
+    if (short_form.dump().size() > longest_line || !is_finite(found.c.query)) {
+      ++not_shown_[run];
       return;
     }
     found_.push_back(std::move(found));
@@ -90,9 +90,9 @@ std::vector<std::size_t> CaseBook::numbers_of(std::size_t run) const {
 
 std::size_t CaseBook::found_in(std::size_t run) const {
   const auto of_run = [&](const FoundCase& f) { return f.run == run; };
-  const auto long_ones = too_long_.find(run);
+  const auto others = not_shown_.find(run);
   return static_cast<std::size_t>(std::ranges::count_if(found_, of_run)) +
-         (long_ones == too_long_.end() ? 0 : long_ones->second);
+         (others == not_shown_.end() ? 0 : others->second);
 }
 
 Json CaseBook::shown() const {

@@ -65,7 +65,7 @@ class CaseBook {
   std::vector<FoundCase> found_;
   std::vector<std::size_t> chosen_;
   std::map<std::pair<std::size_t, std::string>, std::size_t> numbers_;
-  std::map<std::size_t, std::size_t> too_long_;
+  std::map<std::size_t, std::size_t> not_shown_;
   std::vector<std::string> answer_methods_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <numbers>
 
 #include "exact/base/json.h"
@@ -14,9 +15,6 @@ constexpr double hair = 1e-9;  ///< far above what rounds here, far below any le
 
 using V = Point3;
 
-double dot(const V& a, const V& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-V cross(const V& a, const V& b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
-double length(const V& a) { return std::sqrt(dot(a, a)); }
 V unit(const V& a) { return a / length(a); }
 
 /// The probe as p + t·u, t in [0, last].

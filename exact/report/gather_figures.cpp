@@ -9,7 +9,7 @@ void gather_chart(Run& run, Gathering& g) {
   Json r = run.record;
   run.page["methods"] = Json::array();
   for (const Record& m : run.all().items("methods")) run.page["methods"].push_back(g.add_method(m));
-  // No command: the record has neither the files of scenes and mesh nor the number of repetitions.
+  run.page["command"] = command_in(run);
   r.erase("environment");
   run.page["record"] = std::move(r);
 }

@@ -47,7 +47,7 @@ void gather_leak(Run& run, Gathering& g) {
   }
   run.page["title"] = mesh;
   run.page["methods"] = names;
-  // No command: the record has the mesh's name and not its file, and `judge --mesh` writes it too.
+  run.page["command"] = command_in(run);
   Json r = run.record;
   r.erase("environment");
   run.page["record"] = std::move(r);

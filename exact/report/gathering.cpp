@@ -17,12 +17,6 @@ namespace {
 
 constexpr std::size_t most_image_bytes = std::size_t{4} << 20, most_bytes_of_images = std::size_t{16} << 20;
 
-std::string percent(double share) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.3g %%", 100 * share);
-  return text;
-}
-
 /// A number of four bytes, the most significant first.
 std::uint32_t big_endian(std::string_view bytes) {
   std::uint32_t n = 0;
@@ -74,8 +68,7 @@ void Gathering::leave_out(Run& run, const std::string& what) {
 
 Json Gathering::add_image(Run& run, const std::string& name) {
   const std::string file = run.path(std::filesystem::path(name).filename().string());
-  std::error_code unknown;
-  if (!std::filesystem::is_regular_file(file, unknown)) return leave_out(run, file + " is missing"), Json();
+  if (!is_regular_file(file)) return leave_out(run, file + " is missing"), Json();
   const std::string bytes = read_file(file);
   if (!is_png(bytes)) throw bad_input(file, 0, "no PNG file, expected a picture that `render` wrote");
   if (bytes.size() > most_image_bytes || image_bytes_ + bytes.size() > most_bytes_of_images) {
@@ -187,6 +180,16 @@ std::string command_of(const std::vector<std::string>& words) {
   };
   for (const std::string& word : words) text += " " + (is_option(word) ? word : shell_word(word));
   return text;
+}
+
+/// The words of the record; null if it has none.
+Json command_in(const Run& run) {
+  const auto given = run.all().find("command");
+  if (!given || given->json().is_null()) return {};
+  std::vector<std::string> words;
+  for (const Record& word : given->items()) words.push_back(word.text());
+  words.insert(words.end(), {"--out", run.directory});
+  return command_of(words);
 }
 
 std::string joined(const std::vector<std::string>& names) {

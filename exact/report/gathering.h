@@ -140,6 +140,9 @@ void require_part(const Record& row, std::uint64_t part, std::uint64_t whole, co
 /// `tribunal WORDS…`, each word as a shell takes it.
 std::string command_of(const std::vector<std::string>& words);
 
+/// The command whose words the record holds, with --out for the run's directory; null of a record without words.
+Json command_in(const Run& run);
+
 /// "a,b".
 std::string joined(const std::vector<std::string>& names);
 

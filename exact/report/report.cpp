@@ -7,6 +7,8 @@
 
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
+#include "exact/base/foreign_json.h"
+#include "exact/base/shown.h"
 #include "exact/cases/family_table.h"
 #include "exact/record/environment.h"
 #include "exact/report/classes.h"
@@ -61,36 +63,19 @@ const ResultKind* kind_of(const std::string& name, const Json& record) {
   return nullptr;
 }
 
-/// The files in the directory and below that may be results, in order of their paths. Links to directories are not
-/// followed.
-std::vector<fs::path> files_in(const std::string& directory) {
-  std::error_code error;
-  std::vector<fs::path> files;
-  fs::recursive_directory_iterator at(directory, error), end;
-  if (error) throw bad_input(directory, 0, "cannot be read as a directory (" + error.message() + ")");
-  std::string last = directory;
-  for (; at != end; at.increment(error)) {
-    last = at->path().string();
-    std::error_code unknown;
-    if (may_be_result(at->path().filename().string()) && at->is_regular_file(unknown)) files.push_back(at->path());
-  }
-  // A step that fails ends the walk: the iterator is then equal to `end`.
-  if (error) throw bad_input(last, 0, "cannot be read, or what follows it (" + error.message() + ")");
-  std::ranges::sort(files);
-  return files;
-}
-
 /// Adds the results in the directory whose files are not among those taken before, by their canonical paths:
 /// directories may lie in each other.
 void add_results(const std::string& directory, std::vector<Result>& results, std::set<std::string>& taken) {
   bool any = false;
-  for (const fs::path& path : files_in(directory)) {
-    const std::string file = path.string(), name = path.filename().string();
+  for (const std::string& file : files_below(directory)) {
+    const fs::path path(file);
+    const std::string name = path.filename().string();
+    if (!may_be_result(name)) continue;
     Json record = parse_json(read_file(file), {file});
     const ResultKind* kind = kind_of(name, record);
     if (kind == nullptr) continue;
     any = true;
-    if (!taken.insert(fs::weakly_canonical(path).string()).second) continue;
+    if (!taken.insert(canonical_path(file)).second) continue;
     results.push_back({kind,
                        {.number = results.size(),
                         .directory = path.parent_path().string(),
@@ -104,8 +89,7 @@ void read_cases(Result& result, CaseBook& book) {
   const std::string name = result.kind->cases(result.run);
   if (name.empty()) return;
   const std::string file = result.run.path(name);
-  std::error_code unknown;
-  if (fs::is_regular_file(file, unknown)) book.read(result.run.number, file);
+  if (is_regular_file(file)) book.read(result.run.number, file);
 }
 
 Json start_of_page(const Result& result) {
@@ -169,19 +153,20 @@ Json gather_report(const ReportPlan& plan) {
     gather(r, g);
     runs.push_back(std::move(r.run.page));
   }
-  return {{"schema", 1},
-          {"made_with", environment()},
-          {"directories", plan.directories},
-          {"verdicts", g.verdicts()},
-          {"methods", g.methods()},
-          {"method_order", g.method_order()},
-          {"families", families_json(runs)},
-          {"runs", std::move(runs)},
-          {"answer_methods", g.book.answer_methods()},
-          {"cases", g.book.shown()},
-          {"classes", classes_json()},
-          {"images", g.images()},
-          {"left_out", g.left_out()}};
+  const Json report = {{"schema", 1},
+                       {"made_with", environment()},
+                       {"directories", plan.directories},
+                       {"verdicts", g.verdicts()},
+                       {"methods", g.methods()},
+                       {"method_order", g.method_order()},
+                       {"families", families_json(runs)},
+                       {"runs", std::move(runs)},
+                       {"answer_methods", g.book.answer_methods()},
+                       {"cases", g.book.shown()},
+                       {"classes", classes_json()},
+                       {"images", g.images()},
+                       {"left_out", g.left_out()}};
+  return with_strings(report, shown);  // names in it come from files
 }
 
 }  // namespace tribunal

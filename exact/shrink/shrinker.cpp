@@ -5,6 +5,7 @@
 #include <limits>
 #include <span>
 
+#include "exact/base/interrupt.h"
 #include "exact/trial/observe.h"
 #include "exact/trial/severity.h"
 
@@ -75,6 +76,7 @@ Shrinker::Shrinker(const Method& method, const Query& query, Format format)
       severity_(severity_of(query, truth_)) {}
 
 bool Shrinker::offer(const Query& candidate) {
+  fail_if_interrupted("a counterexample was being shrunk");
   const QueryCost cost = cost_of(candidate);
   if (cost >= cost_) return false;
   const Asked asked = try_ask(method_, candidate);

@@ -5,7 +5,8 @@ sweep.json   thresholds, and a figure for each axis: the share of wrong answers 
 compilers.json   a cell for each method and build: how many of the answers change
 map-*.json   a failure map: one pixel for each pair of moved coordinates, a panel for each method
 
-A share of zero is drawn at the upper 95 % confidence bound, hollow: a log axis has no zero, and no sample shows one.
+A share of zero is drawn at the upper 95 % confidence bound, as a hollow triangle that points down and that no line joins:
+a log axis has no zero, no sample shows one, and a bound is no rate.
 """
 import json
 import math
@@ -26,7 +27,7 @@ from matplotlib.ticker import FuncFormatter, MaxNLocator
 
 # Okabe and Ito's colours, from dark to light; with a marker and a dash each, so that no line needs its colour.
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#7A5195", "#666666"]
-MARKERS = ["o", "s", "^", "D", "v", "P", "X", "*"]
+MARKERS = ["o", "s", "^", "D", "<", "P", "X", "*"]
 DASHES = ["-", "--", "-.", ":"]
 INK, FAINT, NOTE = "#222222", "#8A8A8A", "#555555"
 FORMATS, PROBES = ("binary32", "binary64"), ("segment", "ray")
@@ -93,18 +94,23 @@ def draw_line(ax, record, rows, method, share_of):
     if not shown:
         return
     heights = [w["share"] if w["k"] else w["upper"] for _, w in shown]
-    ax.plot([v for v, _ in shown], heights, color=style["color"], ls=style["ls"], lw=1.2)
+    # A line joins rates that were measured. Where nothing was wrong there is a bound and no rate: it stands alone.
+    ax.plot([v for v, _ in shown], [y if w["k"] else math.nan for (_, w), y in zip(shown, heights)],
+            color=style["color"], ls=style["ls"], lw=1.2)
     for (value, w), y in zip(shown, heights):
         if w["k"]:
             ax.plot([value, value], [max(w["lower"], 1e-9), w["upper"]], color=style["color"], lw=0.9)
-        ax.plot([value], [y], style["marker"], ms=4, mec=style["color"], mew=1,
-                mfc=style["color"] if w["k"] else "white", zorder=3)
+            ax.plot([value], [y], style["marker"], ms=4, mec=style["color"], mew=1, mfc=style["color"], zorder=3)
+        else:
+            ax.plot([value], [y], BOUND, ms=4, mec=style["color"], mew=0.8, mfc="white", zorder=3)
 
 
 def per_million(y, _=None):
     """Ticks are powers of ten."""
     return f"$10^{{{round(math.log10(1e6 * y))}}}$"
 
+
+BOUND = "v"  # "at most this", of whatever method
 
 # What can be wrong of a ray at a mesh; faults are drawn by no figure.
 MESH_OUTCOMES = {"leak": "leaks", "double hit": "double hits", "false hit": "false hits", "parity": "wrong parity"}
@@ -158,7 +164,7 @@ def axis_figure(record, axis):
           wrapped(axis["population"][0].upper() + axis["population"][1:] + f". Bars: 95 % intervals. {source_line(record)}.", 98), height)
     handles = [Line2D([], [], color=style_of(record, m)["color"], marker=style_of(record, m)["marker"],
                       ls=style_of(record, m)["ls"], ms=4.5, lw=1.2, label=m) for m in methods]
-    handles.append(Line2D([], [], ls="", marker="o", ms=4.5, mec=INK, mfc="white", label="hollow: none, at the bound"))
+    handles.append(Line2D([], [], ls="", marker=BOUND, ms=4.5, mec=INK, mfc="white", label="hollow: none, at most this"))
     figure.legend(handles=handles, loc="lower left", bbox_to_anchor=(0.08, 0), ncol=columns, frameon=False, fontsize=8.5,
                   handlelength=2.6, columnspacing=1.4, labelspacing=0.3)
     return figure
@@ -358,7 +364,7 @@ def main():
         return
     save(thresholds_figure(record), os.path.join(sys.argv[2], "thresholds"))
     for axis in record["axes"]:
-        save(axis_figure(record, axis), os.path.join(sys.argv[2], "axis-" + axis["name"]))
+        save(axis_figure(record, axis), os.path.join(sys.argv[2], "axis-" + os.path.basename(axis["name"])))
 
 
 if __name__ == "__main__":

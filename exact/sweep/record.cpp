@@ -4,9 +4,9 @@
 #include <cstdio>
 
 #include "exact/base/failure.h"
-#include "exact/base/files.h"
 #include "exact/base/interrupt.h"
 #include "exact/base/json.h"
+#include "exact/base/output.h"
 #include "exact/base/parallel.h"
 #include "exact/certificate/bounds.h"
 #include "exact/certificate/rate.h"
@@ -278,13 +278,19 @@ std::string to_table(const SweepPlan& plan, const Sweep& sweep, const std::vecto
   return text;
 }
 
+std::string mesh_file(const SweepPlan& plan) { return std::string(plan.of_mesh->axis->name) + ".off"; }
+
 void write_record(const std::string& directory, const SweepPlan& plan, const Sweep& sweep,
                   const std::vector<WitnessedThreshold>& thresholds) {
   std::vector<Case> witnesses;
   for (const WitnessedThreshold& t : thresholds) witnesses.push_back(t.witness);
-  write_file(directory + "/sweep.json", to_json_text(plan, sweep, thresholds));
-  write_file(directory + "/sweep.csv", to_csv(plan, sweep));
-  write_file(directory + "/witnesses.jsonl", to_lines(witnesses));
+  OutputSet set;
+  drop_figures(set, directory, sweep_figures);
+  set.add(directory + "/sweep.csv", to_csv(plan, sweep));
+  set.add(directory + "/witnesses.jsonl", to_lines(witnesses));
+  if (plan.of_mesh) set.add(directory + "/" + mesh_file(plan), plan.of_mesh->off);
+  set.add(directory + "/sweep.json", to_json_text(plan, sweep, thresholds));
+  set.commit();
 }
 
 }  // namespace tribunal

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "exact/base/figures.h"
 #include "exact/base/json_fwd.h"
 #include "exact/cases/case_io.h"
 #include "exact/sweep/thresholds.h"
@@ -29,7 +30,14 @@ std::string to_csv(const SweepPlan& plan, const Sweep& sweep);
 /// What the terminal shows: the worst of each method, and where it begins to fail.
 std::string to_table(const SweepPlan& plan, const Sweep& sweep, const std::vector<Threshold>& thresholds);
 
-/// Writes sweep.json, sweep.csv and witnesses.jsonl to the directory.
+/// The figures that are drawn of sweep.json.
+inline const FigureNames sweep_figures = {"thresholds", "axis-*"};
+
+/// The name of the file of the mesh that an axis aimed at, for `leak` and `render`.
+std::string mesh_file(const SweepPlan& plan);
+
+/// Writes sweep.csv, witnesses.jsonl, the mesh if an axis has one, and sweep.json to the directory, together. Figures
+/// of an earlier record go.
 void write_record(const std::string& directory, const SweepPlan& plan, const Sweep& sweep,
                   const std::vector<WitnessedThreshold>& thresholds);
 

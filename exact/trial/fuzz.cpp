@@ -292,7 +292,8 @@ FuzzReport fuzz(const FuzzPlan& plan, FuzzReport so_far, const Checkpoint& check
     so_far.seconds = progress.elapsed();
     if (plan.until_first && so_far.findings.size() > 1)
       so_far.findings.erase(so_far.findings.begin() + 1, so_far.findings.end());
-    if (checkpoint && !is_complete(plan, so_far) && (is_due() || interrupted() != 0)) {
+    const bool kept = is_complete(plan, so_far) && !so_far.findings.empty();  // to shrink them takes its time too
+    if (checkpoint && (kept || is_due() || interrupted() != 0)) {
       checkpoint(so_far);
       saved = progress.elapsed();
     }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/format.h"
+#include "core/products.h"
 #include "exact/cases/families/everyday.h"
 #include "exact/trial/coverage.h"
 
@@ -16,8 +17,6 @@ using Vec = Vec3<double>;
 
 double longest(const Vec& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
 double longest(const Point3& p) { return longest(lift<double>(p)); }
-
-Vec cross(const Vec& u, const Vec& v) { return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x}; }
 
 /// A box parallel to the axes around points, and their largest coordinate.
 class Box {
@@ -101,12 +100,7 @@ class Least {
 template <class T>
 class Clearances {
  public:
-  Clearances(const Probe& probe, const T& target)
-      : target_(target), normal_(normal_of(target)), least_(least_for(probe, target)) {
-    Box box;
-    for_each_edge(target, [&](const Point3& a, const Point3&) { box.add(a); });
-    size_ = box.extent();
-  }
+  Clearances(const Probe& probe, const T& target) : Clearances(probe, target, box_of(target)) {}
 
   Clearance of(const Segment& s) {
     take_end(s.p);
@@ -125,9 +119,17 @@ class Clearances {
   }
 
  private:
-  static Least least_for(const Probe& probe, const T& target) {
+  Clearances(const Probe& probe, const T& target, const Box& box)
+      : target_(target), normal_(normal_of(target)), size_(box.extent()), least_(least_for(probe, box)) {}
+
+  static Box box_of(const T& target) {
     Box box;
     for_each_edge(target, [&](const Point3& a, const Point3&) { box.add(a); });
+    return box;
+  }
+
+  /// `box`: of the target alone, to which the probe's points are added.
+  static Least least_for(const Probe& probe, Box box) {
     if (const auto* s = std::get_if<Segment>(&probe)) {
       box.add(s->p);
       box.add(s->q);
@@ -161,7 +163,7 @@ class Clearances {
 
   const T& target_;
   Vec normal_;
-  double size_ = 0;
+  double size_;
   Least least_;
 };
 

@@ -46,6 +46,9 @@ Truth truth_in_class(ClassId id, const Query& query) {
 }
 
 Truth exact_truth(const Query& query) {
+  if (!is_finite(query)) {
+    throw Failure(Exit::bad_input, "no exact answer: a number is not finite, in " + case_line("nonfinite", query));
+  }
   return query.operands() == Operands::triangles ? exact_truth_of_triangle(query) : exact_truth_of_polygon(query);
 }
 

@@ -209,8 +209,9 @@ std::string in_words(const Ulps& u) {
   std::string text;
   const std::uint64_t n = u.measured();
   if (n > 0) {
-    text = "half within " + number(u.bound_of(50)) + ", 99 % within " + number(u.bound_of(99)) + ", at most " +
-           number(u.most) + " ulps (case " + std::to_string(u.most_at) + "), of " + std::to_string(n);
+    const auto within = [&](int percent) { return std::min(u.bound_of(percent), u.most); };  // a bin ends above it
+    text = "half within " + number(within(50)) + ", 99 % within " + number(within(99)) + ", at most " + number(u.most) +
+           " ulps (case " + std::to_string(u.most_at) + "), of " + std::to_string(n);
   }
   const auto list = [&](std::uint64_t count, const std::string& what) {
     if (count > 0) text += (text.empty() ? "" : "; ") + std::to_string(count) + what;

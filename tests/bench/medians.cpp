@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 
 namespace tribunal::bench {
+
 void Medians::ReportRuns(const std::vector<Run>& runs) {
   for (const Run& run : runs) {
     if (run.run_type != Run::RT_Iteration || run.error_occurred) continue;
@@ -45,6 +47,11 @@ void Medians::print_ratio(const std::string& name, const std::string& over, cons
               quantile(over, 0.1) / quantile(under, 0.9), quantile(over, 0.9) / quantile(under, 0.1));
 }
 
+namespace {
+
+/// `./run bench` names the file by which its processes pool their samples.
+const char* pooled_samples() { return std::getenv("TRIBUNAL_BENCH_SAMPLES"); }
+
 int run_interleaved(int argc, char** argv, Repetition repetition, Medians& medians) {
   std::vector<std::string> defaults = {argv[0], "--benchmark_repetitions=" + std::to_string(repetition.repetitions),
                                        "--benchmark_min_time=" + std::to_string(repetition.seconds),
@@ -56,6 +63,19 @@ int run_interleaved(int argc, char** argv, Repetition repetition, Medians& media
   benchmark::Initialize(&count, arguments.data());
   if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 2;
   return benchmark::RunSpecifiedBenchmarks(&medians) == 0 ? 1 : 0;
+}
+
+}  // namespace
+
+int run_benchmarks(int argc, char** argv, Repetition repetition, const char* item,
+                   const std::function<void(const Medians&)>& print, const std::function<void(Medians&)>& also) {
+  Medians medians;
+  if (const int failed = run_interleaved(argc, argv, repetition, medians)) return failed;
+  also(medians);
+  medians.pool(pooled_samples());
+  medians.print(item);
+  print(medians);
+  return 0;
 }
 
 }  // namespace tribunal::bench

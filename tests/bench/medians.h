@@ -4,7 +4,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include <cstdlib>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -43,17 +43,18 @@ class Medians : public benchmark::ConsoleReporter {
   std::map<std::string, std::vector<double>> samples_;
 };
 
-/// `./run bench` names the file by which its processes pool their samples.
-inline const char* pooled_samples() { return std::getenv("TRIBUNAL_BENCH_SAMPLES"); }
-
 /// How often each benchmark is run by one process, and the least time of each run.
 struct Repetition {
   int repetitions;
   double seconds = 0.02;
 };
 
-/// Runs all registered benchmarks in random order, with these repetitions unless Google Benchmark's arguments say
-/// otherwise. Returns the exit code for main: 0; 1 if nothing ran; 2 if an argument is unknown.
-int run_interleaved(int argc, char** argv, Repetition repetition, Medians& medians);
+/// All that the main function of a benchmark does once its benchmarks are registered. Runs them in random order, with
+/// these repetitions unless Google Benchmark's arguments say otherwise; lets `also` add what is timed elsewhere; pools
+/// the samples, prints them, an item of which is called `item`, and then what `print` makes of them. Returns the exit
+/// code: 0; 1 if nothing ran; 2 if an argument is unknown.
+int run_benchmarks(
+    int argc, char** argv, Repetition repetition, const char* item, const std::function<void(const Medians&)>& print,
+    const std::function<void(Medians&)>& also = [](Medians&) {});
 
 }  // namespace tribunal::bench

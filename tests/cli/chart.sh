@@ -16,6 +16,9 @@ for figure in $figures; do
   for ending in svg pdf png; do [ -s charts/$figure.$ending ] || { echo "no $figure.$ending" >&2; exit 1; }; done
 done
 
+expect 0 report charts --out page.html --json page.json
+says page.json "\"command\":\"tribunal chart --method $methods --seed 1 --count 326 --repetitions 9 --scenes $SOURCE_DIR/data/scenes/slivers.json --mesh $SOURCE_DIR/data/meshes/cow.off --rays 500 --quick --out charts\""
+
 # Drawn again from chart.json alone, without the plugin: the same bytes, nothing measured.
 mkdir again
 cp charts/chart.json again
@@ -88,7 +91,7 @@ PYTHON
 # A signal while figures are drawn is no success.
 rm -f again/plot.log
 "$TRIBUNAL" chart --redraw again >out 2>err & pid=$!
-for _ in $(seq 500); do [ -e again/plot.log ] && break; sleep 0.02; done
+for _ in $(seq 500); do compgen -G "again/.tribunal-*/plot.log" >globbed && break; sleep 0.02; done
 kill -TERM $pid
 status=0
 wait $pid || status=$?

@@ -17,6 +17,9 @@ says() { grep -qF -- "$2" "$scratch/$1" || { echo "expected '$2' in $1:" >&2; ca
 # lacks FILE TEXT: the file of $scratch does not hold the text.
 lacks() { ! grep -qF -- "$2" "$scratch/$1" || { echo "unexpected '$2' in $1:" >&2; cat "$scratch/$1" >&2; exit 1; }; }
 
+# preloaded LIBRARY: what LD_PRELOAD must be to load it: a sanitizer's runtime, where the program has one, comes first.
+preloaded() { ldd "$TRIBUNAL" | awk -v library="$1" '$1 ~ /^lib[at]san/ { printf "%s:", $3 } END { print library }'; }
+
 # plugin NAME FLAG… SOURCE: NAME.so
 plugin() {
   local name=$1

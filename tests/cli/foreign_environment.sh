@@ -1,58 +1,23 @@
 #!/usr/bin/env bash
-# Another rounding mode, or flush-to-zero, forced from outside before main and in every new thread: the program repairs
-# it or refuses (exit 4), and never answers otherwise than in the default environment.
+# Rounding, flush-to-zero, the precision of x87, exceptions that trap, and locales, forced from outside before main, in every new
+# thread, and while the program works: it repairs them or refuses (exit 4), and never answers otherwise than in the default
+# environment. tests/soak/environment.sh tries more moments.
 source "$(dirname "$0")/common.bash"
+attempt() { python3 -B "$SOURCE_DIR/tests/faults/environment.py" --program "$TRIBUNAL" --source "$SOURCE_DIR" --scratch "$scratch" "$@"; }
+
+attempt --commands classify,fuzz-threads,render-threads,verify --when start,threads
+attempt --commands version,help,methods,cases,judge,check,shrink,replay,leak,sweep-map,report --changes x87-53,all,traps,c++locale --when start
+attempt --commands fuzz,render --changes up,daz,x87-24,traps,c++locale --when malloc --most "${MOST:-8}"
+attempt --commands fuzz --changes up,ftz,x87-24 --when timer --most 24
+
+# A plugin that changes them: refused, or repaired where nothing was computed yet.
 cd "$scratch"
-
-cat >force.c <<'EOF'
-#define _GNU_SOURCE
-#include <dlfcn.h>
-#include <pthread.h>
-#include <stdlib.h>
-#include <xmmintrin.h>
-
-static void force(void) { _mm_setcsr(_mm_getcsr() & ~0xe040u | (unsigned)strtoul(getenv("FORCED_MXCSR"), 0, 16)); }
-
-__attribute__((constructor)) static void at_start(void) { force(); }
-
-struct start { void *(*run)(void *); void *with; };
-
-static void *forced_run(void *p) {
-  struct start s = *(struct start *)p;
-  free(p);
-  force();
-  return s.run(s.with);
-}
-
-int pthread_create(pthread_t *t, const pthread_attr_t *a, void *(*run)(void *), void *with) {
-  int (*real)(pthread_t *, const pthread_attr_t *, void *(*)(void *), void *) = dlsym(RTLD_NEXT, "pthread_create");
-  struct start *s = malloc(sizeof *s);
-  s->run = run;
-  s->with = with;
-  return real(t, a, forced_run, s);
-}
-EOF
-gcc -shared -fPIC -O1 -w force.c -o force.so -ldl
-
-cd "$SOURCE_DIR"
-cases=data/cases/classes163.jsonl
-ask() { "$TRIBUNAL" classify --method sf-filtered,sf-rational,sf-double --in "$cases"; }
-hunt() { "$TRIBUNAL" fuzz --method sf-filtered --count 4000 --threads 2 --family scale; }
-ask >"$scratch/expected"
-hunt 2>/dev/null | grep '^sf-filtered' >"$scratch/expected_hunt"
-[ -s "$scratch/expected" ]
-[ -s "$scratch/expected_hunt" ]
-
-for bits in 2000 4000 6000 8000 0040 8040 e040; do
-  for command in ask hunt; do
-    status=0
-    FORCED_MXCSR=$bits LD_PRELOAD=$scratch/force.so $command >"$scratch/answers" 2>"$scratch/err" || status=$?
-    [ $status -eq 4 ] && continue
-    [ $status -eq 0 ] || { cat "$scratch/err" >&2; exit 1; }
-    if [ $command = hunt ]; then
-      grep '^sf-filtered' "$scratch/answers" | diff "$scratch/expected_hunt" -
-    else
-      diff "$scratch/expected" "$scratch/answers"
-    fi
-  done
-done
+localedef -i de_DE -f UTF-8 "$scratch/de_DE.UTF-8"
+export LOCPATH=$scratch
+broken=$SOURCE_DIR/tests/plugin/broken.c
+try() { plugin broken "-D$1" "$broken"; shift; expect "$@" --plugin broken.so --method broken,mt-double --family affine --count 2000 --threads 2; }
+try PLAIN 1 fuzz && cp out plain
+try CHANGES_LOCALE 1 fuzz && diff plain out
+try WANTS_MEMORY 1 fuzz && diff plain out
+for change in CHANGES_PRECISION UNMASKS; do try $change 4 fuzz && says err 'broken.so: changed the rounding mode, precision or exceptions' && [ "$(wc -l <err)" -eq 1 ]; done
+try TRAPS 4 fuzz && says err 'exceptions trap' && [ "$(wc -l <err)" -eq 1 ]

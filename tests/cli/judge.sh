@@ -85,6 +85,25 @@ echo '{"id":"flat","ray":{"o":[0.25,0.25,-1],"d":[0,0,1]},"tri":[[0,0,0],[1,0,0]
 expect 1 judge --cases behind.jsonl --answers miss.jsonl
 expect 0 judge --cases behind.jsonl --answers miss.jsonl --culls
 expect 1 judge --cases behind.jsonl --answers hit.jsonl --culls
+
+# A test that culls owes nothing of polygons, and that is said; a case that was declined is counted once.
+cat >mixed.jsonl <<'CASES'
+{"id":"a","seg":[[0.25,0.25,1],[0.25,0.25,-1]],"tri":[[0,0,0],[1,0,0],[0,1,0]]}
+{"id":"b","seg":[[0.25,0.25,1],[0.25,0.25,-1]],"tri":[[0,0,0],[1,0,0],[0,1,0]]}
+{"id":"p","seg":[[0.25,0.25,1],[0.25,0.25,-1]],"rings":[[[0,0,0],[1,0,0],[1,1,0],[0,1,0]]]}
+CASES
+cat >declined.jsonl <<'ANSWERS'
+{"id":"a","method":"m","hit":1,"status":"ok"}
+{"id":"b","method":"m","status":"unsupported"}
+{"id":"p","method":"m","hit":1,"status":"ok"}
+ANSWERS
+expect 0 judge --cases mixed.jsonl --answers declined.jsonl --culls
+says out '  own      binary64: 0 wrong of 1 (0 %); 1 outside the contract; 1 refused' && says out '1 of 1 polygons are not judged: a test that culls'
+expect 0 judge --cases mixed.jsonl --answers declined.jsonl
+says out '  own      binary64: 0 wrong of 2 (0 %); 1 refused' && lacks out 'outside the contract' && lacks out 'not judged'
+tail -n 1 mixed.jsonl >polygon.jsonl
+tail -n 1 declined.jsonl >polygon-hit.jsonl
+expect 3 judge --cases polygon.jsonl --answers polygon-hit.jsonl --culls && says err 'with --culls none is owed about pierced polygons'
 echo '{"id":"flat","seg":[[0,0,1],[0,0,-1]],"tri":[[0,0,0],[1,0,0],[0.5,0,0]]}' >thin.jsonl
 expect 1 judge --cases thin.jsonl --answers miss.jsonl
 expect 3 judge --cases thin.jsonl --answers miss.jsonl --no-degenerate && says err 'nothing to judge'

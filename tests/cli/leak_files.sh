@@ -113,6 +113,8 @@ printf '{"id":"mine","ray":{"o":[1,0.5,9],"d":[0,0,-1]}}\n' >own.jsonl
 printf '{"id":"mine","closest":{"face":0,"t":9}}\n' >answers.jsonl
 expect 1 judge --mesh notch.off --rays own.jsonl --answers answers.jsonl --out found && says out 'wrong closest'
 says found/summary.json '"unsaid"'
+expect 0 report found --out page.html --json page.json
+says page.json '"command":"tribunal judge --mesh notch.off --rays own.jsonl --answers answers.jsonl --out found"'
 "$TRIBUNAL" replay found/cases.jsonl >out || [ $? -eq 1 ]
 says out 'answers/closest-closest-binary64-0'
 

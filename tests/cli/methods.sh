@@ -26,7 +26,14 @@ diff out - <<'EOF'
 EOF
 "$TRIBUNAL" classify --method sf-epick --out answers.jsonl <cases.jsonl
 [ "$(wc -l <answers.jsonl)" -eq 4 ]
+"$TRIBUNAL" classify cases.jsonl --methods sf-epick | cmp - answers.jsonl
 expect 0 replay cases.jsonl && says out 'right by its convention'
+expect 0 replay cases.jsonl --method sf-double,mt-double && says out mt-double && lacks out sf-rational
+expect 2 replay cases.jsonl --method sf-duoble && says err 'did you mean "sf-double"?'
+for command in 'classify cases.jsonl' 'check cases.jsonl' 'certify --out none'; do
+  # shellcheck disable=SC2086  # words
+  expect 2 $command && says err 'no method given, expected --method'
+done
 expect 2 classify --method sf-duoble --in cases.jsonl && says err 'did you mean "sf-double"?'
 expect 2 classify --method quadric --in cases.jsonl && says err 'unknown method "quadric", expected one that `tribunal methods` lists'
 expect 2 classify --method sf-double --in cases.jsonl --out cases.jsonl && says err 'same file'
@@ -55,6 +62,23 @@ expect 1 replay relations/witnesses.jsonl
 expect 2 fuzz --count 0 && says err 'expected a number above 0'
 expect 2 fuzz --seed -1 && says err 'expected a whole number'
 expect 2 fuzz --threads 0
+
+# Every option that takes a number refuses a negative one, and words, with one line that says what it expects.
+"$TRIBUNAL" --help | sed -n 's/^  \([a-z]\+\)  .*/\1/p' >commands
+[ "$(wc -l <commands)" -ge 15 ]
+numbers=0
+while read -r command; do
+  "$TRIBUNAL" "$command" --help >help
+  while read -r option; do
+    [ "$option" != --scale ] || continue  # a mesh may be mirrored
+    for value in -3 -0x3 three nan; do
+      expect 2 "$command" "$option" "$value" && says err "found $value" && says err 'expected a'
+      [ "$(wc -l <err)" -eq 1 ]
+    done
+    numbers=$((numbers + 1))
+  done < <(sed -n 's/^ *\(-[a-z],\)\?\(--[a-z-]\+\)[^ ]* \(UINT\|INT\|FLOAT\).*/\2/p' help)
+done <commands
+[ "$numbers" -ge 30 ] || { echo "only $numbers options take a number" >&2; exit 1; }
 expect 2 fuzz --family afine && says err 'did you mean "affine"?'
 expect 2 fuzz --family xyzzy && says err 'unknown family "xyzzy", expected one that `tribunal fuzz --help` lists'
 expect 2 fuzz --count 5 --seconds 5

@@ -25,6 +25,18 @@ diff out - <<'ANSWERS'
 {"id":"ray","method":"my-mt","hit":1,"status":"ok"}
 {"id":"beyond","method":"my-mt","hit":0,"status":"ok","contact":"none"}
 ANSWERS
+cp out answers
+
+# Without --method, every command asks the methods of the plugin, and no plugin is loaded and not asked.
+expect 0 classify --plugin mine.so cases.jsonl && cmp out answers
+expect 1 fuzz --plugin planted.so --family grazing,sliver --count 20000 && says out 'my-mt: wrong' && lacks out sf-double
+expect 0 sweep --plugin mine.so --axis scale --count 164 --out swept && says out 'my-mt: ' && lacks out sf-double
+expect 1 certify --plugin planted.so --out certified && says out 'my-mt: refuted'
+sed 's/"id":"through"/"expect":1,&/' cases.jsonl >expecting.jsonl
+expect 0 check --plugin mine.so expecting.jsonl && says out my-mt
+sed 's/my-mt/other-mt/' "$example" >other.c
+plugin other other.c
+expect 2 certify --plugin mine.so --plugin other.so --out none && says err 'expected one method, found my-mt,other-mt'
 expect 0 replay --plugin mine.so cases.jsonl && says out my-mt
 expect 1 replay --plugin planted.so cases.jsonl && says out 'WRONG'
 

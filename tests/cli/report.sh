@@ -137,7 +137,9 @@ ends_well_or_finds sweep --method sf-double --axis afar --count 20 --mesh "$SOUR
 ends_well_or_finds sweep --method sf-double --axis afar --count 20 --out again/torus
 commands_of again/own && says commands None
 commands_of again/torus && says commands 'tribunal sweep --method sf-double --axis afar --seed 1 --count 20 --out again/torus'
-commands_of all/leak && says commands None
+expect 1 leak "$SOURCE_DIR/data/meshes/cow.off" --method mt-eps-double --format binary64 --rays 700 --seed 3 --every-face --out again/leak
+remakes again/leak summary.json cases.jsonl
+says commands '--method mt-eps-double --format binary64 --seed 3 --rays 700 --every-face --out again/leak'
 
 # The same bytes again; fewer cases on request, and the rest is counted.
 expect 0 report all --out again.html && cmp all.html again.html

@@ -59,12 +59,12 @@ cp page "$root/docs/reliability.md"
 run_ends 0 sound
 cmp page "$root/docs/reliability.md"
 run_ends 1 --write
-grep -q '^| `broke` | answers | 9 | 2 | 0 s |' "$root/docs/reliability.md"
+grep -q '^| `broke` | answers | 9 | 2 | [0-9]* s |' "$root/docs/reliability.md"
 rm "$root/tests/soak/idle.sh"
 soak_test broke <<<'echo "tried 9, broke 0: answers"'
 TRIBUNAL_SOAK_SECONDS=5 run_ends 0 --write broke sound
-grep -q '^| `broke` | answers | 9 | 0 | 0 s (shortened) |' "$root/docs/reliability.md"
-grep -q '^| `sound` | answers for 5 s | 1,234 | 0 | 0 s (shortened) |' "$root/docs/reliability.md"
+grep -q '^| `broke` | answers | 9 | 0 | [0-9]* s (shortened) |' "$root/docs/reliability.md"
+grep -q '^| `sound` | answers for 5 s | 1,234 | 0 | [0-9]* s (shortened) |' "$root/docs/reliability.md"
 grep -q '^| `exits` | answers | 9 | 0 (exit 3: unfinished) |' "$root/docs/reliability.md"
 lacks repository/docs/reliability.md '`idle`'
 [ "$(sed -n '1p;$p' "$root/docs/reliability.md" | paste -sd' ')" = 'before after' ]

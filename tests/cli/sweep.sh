@@ -31,6 +31,29 @@ for file in thresholds.svg axis-scale.svg axis-ulps.svg; do cmp "run/$file" "dra
 rm drawn/*.svg drawn/*.png
 /usr/bin/python3 drawn/plot.py drawn/sweep.json drawn
 cmp run/thresholds.svg drawn/thresholds.svg
+
+# The figure of an axis joins measured rates alone; a bound is drawn apart, as one.
+/usr/bin/python3 - <<'PYTHON'
+import json, math, sys
+sys.path.insert(0, "drawn")
+import plot
+record = json.load(open("drawn/sweep.json"))
+joined = bounds = 0
+for axis in record["axes"]:
+    rows = [r["wrong"] for r in record["rows"] if r["axis"] == axis["name"]]
+    rates = {w["share"] for w in rows if w["k"]}
+    upper = {w["upper"] for w in rows if not w["k"]}
+    for ax in plot.axis_figure(record, axis).axes:
+        for line in ax.lines:
+            ys = [y for y in line.get_ydata() if not math.isnan(y)]
+            if line.get_linestyle() not in ("None", "") and line.get_linewidth() > 1:
+                assert set(ys) <= rates, (axis["name"], ys)
+                joined += len(ys)
+            elif line.get_marker() == plot.BOUND:
+                assert set(ys) <= upper and line.get_markerfacecolor() == "white", (axis["name"], ys)
+                bounds += len(ys)
+assert joined > 20 and bounds > 20, (joined, bounds)
+PYTHON
 mkdir empty
 expect 3 sweep --redraw empty
 

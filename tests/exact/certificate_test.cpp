@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact/base/files.h"
+#include "exact/base/output.h"
 #include "exact/cases/family_table.h"
 #include "exact/certificate/verify.h"
 #include "exact/plugin/load.h"

@@ -7,7 +7,7 @@
 
 #include "core/segura_feito.h"
 #include "exact/base/failure.h"
-#include "exact/base/files.h"
+#include "exact/base/output.h"
 #include "exact/certificate/certificate.h"
 #include "exact/certificate/certify.h"
 #include "exact/certificate/small_scope.h"

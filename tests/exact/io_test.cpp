@@ -1,7 +1,6 @@
 // Files: exact numbers, round trips, and one clear line for every kind of bad input.
 #include <gtest/gtest.h>
 
-#include <clocale>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -9,11 +8,14 @@
 
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
+#include "exact/base/foreign_json.h"
 #include "exact/base/fp_environment.h"
+#include "exact/base/output.h"
 #include "exact/cases/case_io.h"
 #include "exact/cases/families/draw.h"
 #include "exact/classes/class_table.h"
 #include "exact/methods/methods.h"
+#include "tests/exact/comma_locale.h"
 
 namespace tribunal {
 namespace {
@@ -35,6 +37,66 @@ TEST(Numbers, HexFloatsAndDecimalsAreReadExactly) {
   EXPECT_EQ(read_number("0.5", Format::binary32), 0.5);
 }
 
+TEST(Numbers, WhatIsNotFiniteIsATokenOfCasesAlone) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  const auto read = [](const std::string& json, Format format) {
+    return to_any_number(parse_json_beyond(json, {"test"}), format, {"test"});
+  };
+  const std::string many(400, '1');
+  for (const Format format : {Format::binary64, Format::binary32}) {
+    for (const std::string& token : std::vector<std::string>{
+             "\"inf\"", "\"+inf\"", "\"Infinity\"", "\"INF\"", "1e999", "1e309", "1.8e308", "1E+400", "\"0x1p+1024\"",
+             "\"0x1.fffffffffffff8p+1023\"", "100000e99999999999999999999", "0.00001e999"}) {
+      EXPECT_EQ(read(token, format), inf) << token;
+      EXPECT_THROW(to_number(parse_json_beyond(token, {"test"}), format, {"test"}), Failure) << token;
+      EXPECT_THROW(read_number(token, format), Failure) << token;
+    }
+    EXPECT_EQ(read(many, format), inf);
+    EXPECT_EQ(read(many + ".5", format), inf);
+    for (const std::string& token : std::vector<std::string>{"\"-inf\"", "\"-infinity\"", "-1e999", "\"-0x1p+2000\""}) {
+      EXPECT_EQ(read(token, format), -inf) << token;
+    }
+    for (const std::string& token : std::vector<std::string>{"\"nan\"", "\"NaN\"", "\"-nan\"", "\"+NAN\""}) {
+      EXPECT_TRUE(std::isnan(read(token, format))) << token;
+    }
+    for (const std::string& token :
+         std::vector<std::string>{"0e999", "1e-999", "0.0e99999999999999999999", "1e-99999999999999999999",
+                                  "0." + std::string(400, '0') + "1e10"}) {
+      EXPECT_EQ(read(token, format), 0) << token;
+    }
+    for (const char* token :
+         {"\"\"", "\"in\"", "\"--inf\"", "\"infinite\"", "\"inf \"", "\"nan(1)\"", "true", "null", "[]"}) {
+      EXPECT_THROW(read(token, format), Failure) << token;
+    }
+  }
+  EXPECT_EQ(read("1" + std::string(308, '0'), Format::binary64), 1e308);
+  EXPECT_EQ(read(many + "e-300", Format::binary64), 1.1111111111111111e99) << "long, and within the range";
+  EXPECT_EQ(read("1e39", Format::binary64), 1e39);
+  EXPECT_THROW(read("1e39", Format::binary32), Failure) << "finite, and not exact in binary32";
+}
+
+TEST(Numbers, OfOneTextAreEachReadAsTheyStand) {
+  const Json value = parse_json_beyond(
+      R"({"1e999":[-0, 1e999, "1e999 \" -0", -1e999, 0, {"-0":-0, "x":1E999}],"y":1.5e308})", {"test"});
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  const Json& list = value["1e999"];
+  EXPECT_TRUE(std::signbit(list[0].get<double>()) && list[0] == 0);
+  EXPECT_EQ(list[1].get<double>(), inf);
+  EXPECT_EQ(list[2], "1e999 \" -0");
+  EXPECT_EQ(list[3].get<double>(), -inf);
+  EXPECT_EQ(list[4], 0);
+  EXPECT_TRUE(std::signbit(list[5]["-0"].get<double>()));
+  EXPECT_EQ(list[5]["x"].get<double>(), inf);
+  EXPECT_EQ(value["y"], 1.5e308);
+}
+
+TEST(Numbers, WhatIsNotFiniteIsWrittenAsItIsRead) {
+  for (const double x : {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()}) {
+    EXPECT_EQ(to_any_number(Json(hex_float(x)), Format::binary64, {"test"}), x);
+  }
+  EXPECT_EQ(hex_float(std::nan("")), "nan");
+}
+
 TEST(Numbers, EveryDoubleSurvivesTheRoundTrip) {
   Draw draw(8, 1, 0);
   for (int i = 0; i < 20'000; ++i) {
@@ -46,15 +108,11 @@ TEST(Numbers, EveryDoubleSurvivesTheRoundTrip) {
 }
 
 TEST(Numbers, AreReadTheSameInEveryLocale) {
-  const char* const old = std::setlocale(LC_ALL, nullptr);
-  const std::string before = old;
-  for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8", "C.UTF-8", "C"}) {
-    if (std::setlocale(LC_ALL, name) == nullptr) continue;
-    EXPECT_EQ(read_number("0.25"), 0.25) << name;
-    EXPECT_EQ(read_number("\"0x1.8p-1\""), 0.75) << name;
-    EXPECT_EQ(hex_float(0.75), "0x1.8p-1") << name;
-  }
-  std::setlocale(LC_ALL, before.c_str());
+  const CommaLocale comma;
+  ASSERT_TRUE(comma.speaks());
+  EXPECT_EQ(read_number("0.25"), 0.25);
+  EXPECT_EQ(read_number("\"0x1.8p-1\""), 0.75);
+  EXPECT_EQ(hex_float(0.75), "0x1.8p-1");
 }
 
 std::string message_of(const std::function<void()>& act) {
@@ -101,9 +159,16 @@ TEST_F(CaseFile, BadInputIsOneLineWithFileAndLine) {
       {R"({"id":"a","seg":[[0,0,1]],"tri":[[0,0,0],[1,0,0],[0,1,0]]})", ":1: seg: expected 2 points"},
       {R"({"id":"a","seg":[[0,0,1],[0,-1]],"tri":[[0,0,0],[1,0,0],[0,1,0]]})", ":1: seg[1]: expected three numbers"},
       {R"({"id":"a","seg":[[0,0,1],[0,0,"1.5"]],"tri":[[0,0,0],[1,0,0],[0,1,0]]})", ":1: seg[1][2]: expected a number"},
-      {R"({"id":"a","seg":[[0,0,1],[0,0,1e999]],"tri":[[0,0,0],[1,0,0],[0,1,0]]})", ":1: not valid JSON"},
-      {R"({"id":"a","seg":[[0,0,1],[0,0,"0x1p+1024"]],"tri":[[0,0,0],[1,0,0],[0,1,0]]})",
-       ":1: seg[1][2]: expected a finite number"},
+      {R"({"id":"a","seg":[[0,0,1],[0,0,"nano"]],"tri":[[0,0,0],[1,0,0],[0,1,0]]})",
+       ":1: seg[1][2]: expected a number or a hex-float string"},
+      {R"({"id":"a","seg":[[0,0,1],[0,0,"1e999"]],"tri":[[0,0,0],[1,0,0],[0,1,0]]})",
+       ":1: seg[1][2]: expected a number or a hex-float string"},
+      {R"({"id":"a","expect":0,"seg":[[0,0,1],[0,0,"nan"]],"tri":[[0,0,0],[1,0,0],[0,1,0]]})",
+       ":1: expect: given of a case with a number that is not finite, expected none"},
+      {R"({"id":"a","class":"C017","seg":[[0,0,1],[0,0,-1e999]],"tri":[[0,0,0],[1,0,0],[0,1,0]]})",
+       ":1: class: given of a case with a number that is not finite, expected none"},
+      {R"({"id":1e999,"seg":[[0,0,1],[0,0,1]],"tri":[[0,0,0],[1,0,0],[0,1,0]]})", ":1: id: expected a string"},
+      {good + "\n\xEF\xBB\xBF" + good, ":2: a byte-order mark, expected none but at the start of the file"},
       {R"({"id":"a","seg":[[0,0,1],[0,0,NaN]],"tri":[[0,0,0],[1,0,0],[0,1,0]]})", ":1: not valid JSON"},
       {R"({"id":"a","fmt":"binary16","seg":[[0,0,1],[0,0,1]],"tri":[[0,0,0],[1,0,0],[0,1,0]]})",
        ":1: fmt: expected \"binary64\" or \"binary32\""},
@@ -133,6 +198,24 @@ TEST_F(CaseFile, MissingFilesAndDirectories) {
 TEST_F(CaseFile, CarriageReturnsAndBlankLinesAreFine) {
   std::ofstream(path_, std::ios::binary) << good << "\r\n\n" << good << "\r\n";
   EXPECT_EQ(read_cases(path_).size(), 2U);
+}
+
+TEST_F(CaseFile, AByteOrderMarkAtItsStartIsSkipped) {
+  std::ofstream(path_, std::ios::binary) << "\xEF\xBB\xBF" << good << "\n" << good << "\n";
+  EXPECT_EQ(read_cases(path_).size(), 2U);
+}
+
+TEST_F(CaseFile, BoundsMayBeInfiniteAboveAndElseAreNotFinite) {
+  const auto bounds = [&](const std::string& t) {
+    return cases_in(R"({"id":"a","ray":{"o":[0,0,1],"d":[0,0,-1],"t":)" + t + R"(},"tri":[[0,0,0],[1,0,0],[0,1,0]]})",
+                    "test")[0]
+        .query;
+  };
+  EXPECT_TRUE(is_finite(bounds("[0,\"inf\"]")) && is_finite(bounds("[0,\"Infinity\"]")));
+  for (const char* t : {"[0,\"-inf\"]", "[0,\"nan\"]", "[\"nan\",1]", "[\"inf\",\"inf\"]", "[\"-inf\",1]", "[1e999,1]",
+                        "[0,1e999]", "[0,\"0x1p+1024\"]", "[0,-1e999]"}) {
+    EXPECT_FALSE(is_finite(bounds(t))) << t;
+  }
 }
 
 TEST_F(CaseFile, RoundTrip) {

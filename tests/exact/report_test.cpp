@@ -8,8 +8,8 @@
 #include <set>
 
 #include "exact/base/failure.h"
-#include "exact/base/files.h"
 #include "exact/base/json.h"
+#include "exact/base/output.h"
 #include "exact/report/base64.h"
 #include "exact/report/case_book.h"
 #include "exact/report/case_view.h"

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "exact/base/output.h"
 #include "exact/cases/family_table.h"
 #include "exact/certificate/verify.h"
 #include "exact/methods/methods.h"
@@ -49,6 +50,8 @@ TEST(Ulps, BinsEndAtPowersOfTwo) {
   }
   EXPECT_EQ(one(1e300, 1e-300).up_to.back(), 1U);
   EXPECT_EQ(one(1e300, 1e-300).bound_of(50), infinity);
+  EXPECT_EQ(one(1 + 5 * 0x1p-52, 1).bound_of(99), 8);
+  EXPECT_NE(in_words(one(1 + 5 * 0x1p-52, 1)).find("99 % within 5, at most 5 ulps"), std::string::npos);
   EXPECT_TRUE(std::isfinite(one(1e300, 1e-300).most));
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 #include <sstream>
+#include <stdexcept>
 
 #include "core/segura_feito.h"
 #include "exact/base/files.h"
@@ -27,7 +28,9 @@ std::vector<Json> wild_cases() {
 }
 
 const Json& wild_case(const std::vector<Json>& cases, const std::string& id) {
-  return *std::ranges::find_if(cases, [&](const Json& c) { return c["id"] == id; });
+  const auto found = std::ranges::find_if(cases, [&](const Json& c) { return c["id"] == id; });
+  if (found == cases.end()) throw std::runtime_error("no wild case " + id);
+  return *found;
 }
 
 /// "f32": decimal, rounded to binary32. "f32hex": the bits of a binary32 number.

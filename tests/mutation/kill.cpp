@@ -1,10 +1,15 @@
 // Kills mutants of the predicate headers: returns 0 iff signs, decisions and classes are right on small integers, where
 // int64 is exact. Only headers are included, so that a mutated copy of one is all that differs. What is right comes
-// from the class table (argument 1), from Carathéodory's theorem, and from a few values worked out by hand.
+// from the class tables of segments and rays (arguments 1 and 2), from Carathéodory's theorem, and from a few values
+// worked out by hand.
+#include "tests/mutation/kill.h"
+
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <limits>
+#include <type_traits>
 
 #include "core/kernel.h"
 #include "core/segura_feito.h"
@@ -12,35 +17,39 @@
 #include "exact/oracles/caratheodory.h"
 
 using namespace tribunal;
+using killing::require;
 
 namespace {
 
 using Integers = FormulaKernel<std::int64_t>;
 const Integers k;
 
-void require(bool holds, const char* what) {
-  if (holds) return;
-  std::printf("killed: %s\n", what);
-  std::exit(1);
-}
+/// A segment or a ray by its two columns: p and q, or o and d.
+Segment probe_of(const Segment*, const Point3& p, const Point3& q) { return {p, q}; }
+Ray probe_of(const Ray*, const Point3& o, const Point3& d) { return {o, {d}}; }
 
 struct Class {
   int id, rank;
   bool hit;
   char touched;              ///< the triangle's part: F, E or V, or the end of what the table says instead
-  unsigned long long count;  ///< unordered tuples of {0,1,2}³
+  unsigned long long count;  ///< unordered tuples of {0,1,2}³; of rays, with directions of {-1,0,1}³
   Point3 v[5];
 };
 
-constexpr int class_count = 163;
-Class classes[class_count];
+/// The classes of segments, or of rays.
+template <class P>
+struct Table {
+  static constexpr int size = std::is_same_v<P, Segment> ? 163 : 165;
+  inline static Class classes[size];
+  inline static int class_of_code[5][59049];  ///< the class of a chirotope, by rank and code; 0: none entered yet
+};
 
 Class class_in(const char* line) {
   Class c{};
   char intersection[20], touches[40];
   int x[15], n = 0;
-  const int read =
-      std::sscanf(line, "C%d %d %*s %*s %19s %39[^\t] %llu %*s%n", &c.id, &c.rank, intersection, touches, &c.count, &n);
+  const int read = std::sscanf(line, "%*c%d %d %*s %*s %19s %39[^\t] %llu %*s%n", &c.id, &c.rank, intersection, touches,
+                               &c.count, &n);
   if (read != 5) std::exit(2);
   c.hit = std::strcmp(intersection, "empty") != 0;
   c.touched = touches[std::strlen(touches) - 1];
@@ -53,16 +62,17 @@ Class class_in(const char* line) {
   return c;
 }
 
+template <class P>
 void read_classes(const char* path) {
   std::FILE* const file = std::fopen(path, "r");
   char line[256];
   int rows = -1;  // the heading
   while (file != nullptr && std::fgets(line, sizeof line, file) != nullptr) {
-    if (rows >= class_count) std::exit(2);
-    if (rows >= 0) classes[rows] = class_in(line);
+    if (rows >= Table<P>::size) std::exit(2);
+    if (rows >= 0) Table<P>::classes[rows] = class_in(line);
     ++rows;
   }
-  if (rows != class_count) std::exit(2);
+  if (rows != Table<P>::size) std::exit(2);
 }
 
 Contact contact_of(const Class& c) {
@@ -107,6 +117,7 @@ void signs_by_hand() {
 
 /// One chirotope of each rank, worked out by hand.
 void chirotopes_by_hand() {
+  require(!(Chirotope{4, 201} == Chirotope{3, 201}) && !(Chirotope{4, 201} == Chirotope{4, 202}), "not the same");
   const Point3 o(0, 0, 0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
   require(chirotope(Segment{z, o}, Triangle{o, x, y}, k) == Chirotope{4, 201}, "rank 4: + 0 0 0 -");
   require(chirotope(Segment{o, o}, Triangle{o, x, y}, k) == Chirotope{3, 49243}, "rank 3: + 0 0 0 0 0 + + 0 0");
@@ -137,40 +148,46 @@ void hit_order() {
   require(at.num * 2 == at.den && at.den != 0, "hit parameter off the origin");
 }
 
-/// The class of a chirotope, by rank and code; 0 where none has been entered.
-int class_of_code[5][59049];
-
+template <class P>
 int& entry(const Chirotope& c) {
   require(c.rank >= 1 && c.rank <= 4 && c.code < 59049, "chirotope out of range");
-  return class_of_code[c.rank][c.code];
+  return Table<P>::class_of_code[c.rank][c.code];
 }
 
 /// A chirotope belongs to one class; each class brings its labelled orders and their mirror images.
+template <class P>
 void enter(const Chirotope& c, int id) {
-  require(entry(c) == 0 || entry(c) == id, "one chirotope in two classes");
-  entry(c) = id;
+  require(entry<P>(c) == 0 || entry<P>(c) == id, "one chirotope in two classes");
+  entry<P>(c) = id;
 }
 
-void expect_decision(const Class& c, const Segment& s, const Triangle& t) {
-  const Answer answer = segura_feito(s, t, k);
+template <class P>
+void expect_decision(const Class& c, const P& probe, const Triangle& t) {
+  const Answer answer = segura_feito(probe, t, k);
   require(answer.hit == c.hit && answer.contact == contact_of(c), "decision against the class table");
-  require(meets_by_caratheodory<std::int64_t>(s, t) == c.hit, "Caratheodory against the class table");
+  require(meets_by_caratheodory<std::int64_t>(probe, t) == c.hit, "Caratheodory against the class table");
 }
 
-/// 163 classes × 12 labelled orders × 48 signed axis permutations.
+template <class P>
+void enter_class(const Class& c, const P& probe, const Triangle& t) {
+  expect_decision(c, probe, t);
+  const Chirotope chi = chirotope(probe, t, k);
+  require(chi.rank == c.rank, "rank against the class table");
+  enter<P>(chi, c.id);
+}
+
+/// All classes × the labelled orders (12 of a segment, 6 of a ray) × 48 signed axis permutations.
+template <class P>
 void pocket_run() {
-  for (const Class& c : classes) {
+  constexpr P* which = nullptr;
+  for (const Class& c : Table<P>::classes) {
     for (int image = 0; image < 48; ++image) {
       Point3 v[5];
       for (int i = 0; i < 5; ++i) v[i] = axis_image(c.v[i], image / 8, image % 8);
       for (const auto& order : vertex_orders) {
         const Triangle t{v[order[0]], v[order[1]], v[order[2]]};
-        for (const Segment& s : {Segment{v[3], v[4]}, Segment{v[4], v[3]}}) {
-          expect_decision(c, s, t);
-          const Chirotope chi = chirotope(s, t, k);
-          require(chi.rank == c.rank, "rank against the class table");
-          enter(chi, c.id);
-        }
+        enter_class(c, probe_of(which, v[3], v[4]), t);
+        if constexpr (std::is_same_v<P, Segment>) enter_class(c, Segment{v[4], v[3]}, t);
       }
     }
   }
@@ -216,24 +233,29 @@ void bounds() {
 
 Point3 lattice_point(int i) { return Point3(i / 9, i / 3 % 3, i % 3); }
 
-/// All unordered tuples of {0,1,2}³: as many in each class as the table says, and both decisions agree with it.
+/// All unordered tuples of {0,1,2}³, rays with directions of {-1,0,1}³: as many in each class as the table says, and
+/// both decisions agree with it.
+template <class P>
 void small_lattice() {
+  constexpr P* which = nullptr;
+  constexpr bool segments = std::is_same_v<P, Segment>;
+  const Point3 origin(segments ? 0.0 : 1.0);
   Point3 v[27];
   for (int i = 0; i < 27; ++i) v[i] = lattice_point(i);
-  unsigned long long counts[class_count + 1] = {};
+  unsigned long long counts[Table<P>::size + 1] = {};
   for (int a = 0; a < 27; ++a)
     for (int b = a; b < 27; ++b)
       for (int c = b; c < 27; ++c)
         for (int p = 0; p < 27; ++p)
-          for (int q = p; q < 27; ++q) {
-            const Segment s{v[p], v[q]};
+          for (int q = segments ? p : 0; q < 27; ++q) {
+            const P probe = probe_of(which, v[p], v[q] - origin);
             const Triangle t{v[a], v[b], v[c]};
-            const int id = entry(chirotope(s, t, k));
+            const int id = entry<P>(chirotope(probe, t, k));
             require(id != 0, "chirotope of the lattice in no class");
             ++counts[id];
-            if ((a + b + c + p + q) % 8 == 0) expect_decision(classes[id - 1], s, t);
+            if ((a + b + c + p + q) % 8 == 0) expect_decision(Table<P>::classes[id - 1], probe, t);
           }
-  for (const Class& c : classes) require(counts[c.id] == c.count, "tuples in a class");
+  for (const Class& c : Table<P>::classes) require(counts[c.id] == c.count, "tuples in a class");
 }
 
 int lesser(int x, int y) { return x < y ? x : y; }
@@ -258,30 +280,66 @@ void five_point_line() {
   }
 }
 
-/// Answers to rays by two formulations, which must agree.
-void rays() {
-  for (int i = 0; i < 19683; ++i) {
-    const Triangle t{lattice_point(i / 729), lattice_point(i / 27 % 27), lattice_point(i % 27)};
-    for (int n = i % 7; n < 729; n += 7) {
-      const Ray r{lattice_point(n / 27), {lattice_point(n % 27) - Point3(1.0)}};
-      require(segura_feito(r, t, k).hit == meets_by_caratheodory<std::int64_t>(r, t), "ray by two formulations");
+/// Parts of rays against the segments that they are: with integer bounds these have integer ends.
+void parts() {
+  const Triangle triangles[] = {{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}},
+                                {{1, 0, 2}, {0, 3, 1}, {2, 2, 2}},
+                                {{0, 0, 0}, {2, 2, 2}, {4, 4, 4}},
+                                {{1, 1, 1}, {1, 1, 1}, {1, 1, 1}}};
+  for (const Triangle& t : triangles) {
+    for (int n = 0; n < 729; ++n) {
+      const Ray r{2.0 * (lattice_point(n / 27) - Point3(0.0)), {lattice_point(n % 27) - Point3(1.0)}};
+      for (int tmin = 0; tmin < 4; ++tmin) {
+        const Point3 from = r.o + static_cast<double>(tmin) * r.d.v;
+        for (int tmax = tmin; tmax < 4; ++tmax) {
+          const Segment s{from, r.o + static_cast<double>(tmax) * r.d.v};
+          const Bounds bounds{static_cast<double>(tmin), static_cast<double>(tmax)};
+          const Answer part = segura_feito(r, bounds, t, k), whole = segura_feito(s, t, k);
+          require(part.hit == whole.hit, "a part of a ray against its segment");
+          require(tmin == tmax || part == whole, "contact of a part of a ray");
+        }
+        const Answer tail = segura_feito(r, Bounds{static_cast<double>(tmin)}, t, k);
+        require(tail == segura_feito(Ray{from, r.d}, t, k), "a part of a ray without an end");
+      }
     }
   }
+}
+
+void finiteness() {
+  const double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+  const Point3 o(0, 0, 0);
+  require(is_finite(Triangle{o, o, o}) && is_finite(Segment{o, o}) && is_finite(Ray{o, {o}}), "finite operands");
+  for (const double bad : {inf, -inf, nan}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      Point3 p = o;
+      p[axis] = bad;
+      require(!is_finite(p) && !is_finite(Triangle{p, o, o}) && !is_finite(Triangle{o, p, o}), "a bad vertex");
+      require(!is_finite(Triangle{o, o, p}) && !is_finite(Segment{p, o}) && !is_finite(Segment{o, p}), "a bad end");
+      require(!is_finite(Ray{p, {o}}) && !is_finite(Ray{o, {p}}), "a bad ray");
+    }
+    require(!is_finite(Bounds{bad, 1}), "a bad lower bound");
+  }
+  require(is_finite(Bounds{}) && is_finite(Bounds{0, inf}) && !is_finite(Bounds{0, nan}), "upper bounds");
+  require(Bounds{}.tmin == 0 && Bounds{}.tmax == inf, "no bounds");
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) return 2;
-  read_classes(argv[1]);
+  if (argc != 3) return 2;
+  read_classes<Segment>(argv[1]);
+  read_classes<Ray>(argv[2]);
+  finiteness();
   signs_by_hand();
   chirotopes_by_hand();
   hit_order();
   ends();
   bounds();
+  parts();
   five_point_line();
-  pocket_run();
-  small_lattice();
-  rays();
+  pocket_run<Segment>();
+  pocket_run<Ray>();
+  small_lattice<Segment>();
+  small_lattice<Ray>();
   std::puts("survived");
 }

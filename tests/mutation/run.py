@@ -99,7 +99,7 @@ class Compiler:
         if built.returncode != 0:
             return 'invalid'
         try:
-            run = subprocess.run([str(program), str(ROOT / 'data/classes163.tsv')], timeout=TIME_LIMIT,
+            run = subprocess.run([str(program), str(ROOT / 'data/classes163.tsv'), str(ROOT / 'data/ray_classes.tsv')], timeout=TIME_LIMIT,
                                  stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         except subprocess.TimeoutExpired:
             return 'killed'

@@ -1,8 +1,24 @@
 /* Plugins that break one promise each: compile with -DNAME='"x"' and the like. The rest of it always misses. */
+#ifdef CHANGES_LOCALE
+#define _GNU_SOURCE /* for newlocale and uselocale */
+#endif
+
 #include "tribunal_plugin.h"
 
 #ifdef CHANGES_ROUNDING
 #include <fenv.h>
+#endif
+
+#if defined(UNMASKS) || defined(TRAPS)
+int feenableexcept(int);
+#endif
+
+#ifdef CHANGES_LOCALE
+#include <locale.h>
+#endif
+
+#ifdef WANTS_MEMORY
+#include <stdlib.h>
 #endif
 
 #ifdef FLUSHES_TO_ZERO /* as gcc 12 does for a library that is linked with -ffast-math */
@@ -40,6 +56,28 @@ int ask(int probe, const double query[15]) {
   (void)query;
 #ifdef CHANGES_ROUNDING
   fesetround(FE_UPWARD);
+#endif
+#ifdef CHANGES_PRECISION /* of x87, to 53 bits, as a program linked with -mpc64 has it */
+  const unsigned short word = 0x027f;
+  __asm__ volatile("fldcw %0" : : "m"(word));
+#endif
+#ifdef UNMASKS /* all exceptions: the next inexact result traps */
+  feenableexcept(0x3d);
+#endif
+#ifdef TRAPS
+  feenableexcept(0x3d);
+  static volatile double three = 3, third;
+  third = 1 / three;
+#endif
+#ifdef CHANGES_LOCALE
+  static locale_t comma;
+  if (comma == (locale_t)0) comma = newlocale(LC_ALL_MASK, "de_DE.UTF-8", (locale_t)0);
+  if (comma == (locale_t)0 || setlocale(LC_ALL, "de_DE.UTF-8") == NULL) return 7;
+  uselocale(comma);
+#endif
+#ifdef WANTS_MEMORY /* more than there is, and goes on without */
+  void *const block = malloc((size_t)1 << 62);
+  if (block != NULL) return 7;
 #endif
 #ifdef CRASHES
   *(volatile int*)0 = 1;

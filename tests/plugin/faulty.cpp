@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <stdexcept>
+#include <string>
 
 #include "exact/plugin/tribunal_plugin.h"
 
@@ -38,6 +39,10 @@ namespace fault {
   }
 }
 [[maybe_unused]] int throws(int) { throw std::runtime_error("no memory left"); }
+[[maybe_unused]] int throws_markup(int) {
+  throw std::runtime_error("\x1b[31m\nFORGED\r\x9b\xff \u202e<script>alert(1)</script>|`[x](y)" +
+                           std::string(10'000, 'w'));
+}
 [[maybe_unused]] int throws_number(int) { throw 7; }
 [[maybe_unused]] int exits(int) { std::exit(0); }
 [[maybe_unused]] int answers_seven(int) { return 7; }

@@ -3,13 +3,15 @@
 
 Memory is what /proc says; the rate is of cases a second of processor time, so that other work on the machine does not count;
 the cases so far are read off the progress line, which fuzz draws on a terminal. The first quarter of the run is warm-up; of the
-rest the last third is held against the first. Writes OUT.count ("tried broke") and OUT.say, what was seen in words.
+rest the last third is held against the first: the median of memory, since writing a checkpoint takes some for a moment, and the
+rate. Writes OUT.count ("tried broke") and OUT.say, what was seen in words.
 """
 import json
 import os
 import pty
 import re
 import select
+import statistics
 import subprocess
 import sys
 import time
@@ -80,9 +82,10 @@ def drift(samples, seconds):
     first, last = thirds(samples, seconds)
     if len(first) < 5:
         return f"only {len(samples)} samples", ["too few samples to see a drift"]
-    memory = [max(s[1] for s in part) / 1e6 for part in (first, last)]
+    memory = [statistics.median(s[1] for s in part) / 1e6 for part in (first, last)]
+    peak = max(s[1] for s in samples) / 1e6
     rates = [rate(part) for part in (first, last)]
-    words = (f"memory {memory[0]:.1f} MB, later {memory[1]:.1f} MB; "
+    words = (f"memory {memory[0]:.1f} MB, later {memory[1]:.1f} MB, at most {peak:.1f} MB; "
              f"{rates[0]:.4g} cases a second of processor time, later {rates[1]:.4g}")
     broken = []
     if memory[1] > memory[0] * MORE_MEMORY:

@@ -100,6 +100,14 @@ TEST_P(Scenes, AreDrawnAlikeByExactMethods) {
   EXPECT_EQ(expected_rows()[GetParam()], row.str()) << "data/scenes/expected.tsv";
 }
 
+/// Without this a folder without scenes would be a test of none.
+TEST(ShippedScenes, AreThoseWithAPictureExpected) {
+  std::vector<std::string> expected;
+  for (const auto& [name, row] : expected_rows()) expected.push_back(name);
+  EXPECT_EQ(all_scenes(), expected);
+  EXPECT_FALSE(expected.empty());
+}
+
 INSTANTIATE_TEST_SUITE_P(Shipped, Scenes, ::testing::ValuesIn(all_scenes()), [](const auto& scene) {
   std::string name = scene.param;
   std::replace(name.begin(), name.end(), '-', '_');

@@ -13,8 +13,6 @@
 namespace tribunal {
 namespace {
 
-bool takes_rays(const Method& m) { return m.ray && m.contract.probes.rays && m.contract.triangles != Triangles::none; }
-
 std::string mesh_name(const LeakChartPlan& plan) { return std::filesystem::path(plan.mesh).filename().string(); }
 
 void add_rows(std::vector<LeakRow>& rows, const LeakChartPlan& plan, const leak::Surface& surface) {
@@ -22,7 +20,7 @@ void add_rows(std::vector<LeakRow>& rows, const LeakChartPlan& plan, const leak:
   std::vector<std::size_t> asked;
   std::vector<leak::Subject> subjects;
   for (std::size_t m = 0; m < plan.methods.size(); ++m) {
-    if (!takes_rays(plan.methods[m]) || !takes(plan.methods[m], format)) continue;
+    if (!leak::takes_rays(plan.methods[m]) || !takes(plan.methods[m], format)) continue;
     asked.push_back(m);
     subjects.push_back(leak::subject_of(plan.methods[m], surface));
   }

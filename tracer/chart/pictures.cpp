@@ -9,6 +9,7 @@
 #include "exact/chart/timing_json.h"
 #include "exact/methods/methods.h"
 #include "exact/trial/judge.h"
+#include "tracer/leak/subject.h"
 #include "tracer/render/compare.h"
 
 namespace tribunal {
@@ -16,8 +17,6 @@ namespace {
 
 /// A method whose first drawing of all scenes takes longer is not timed again.
 constexpr double seconds_worth_repeating = 2;
-
-bool takes_rays(const Method& m) { return m.ray && m.contract.probes.rays && m.contract.triangles != Triangles::none; }
 
 std::uint64_t rays_of(const Rendering& r) {
   return std::accumulate(std::begin(r.tally.rays), std::end(r.tally.rays), std::uint64_t{0});
@@ -102,7 +101,7 @@ std::vector<PictureRow> measure_pictures(const PicturePlan& plan) {
     const Gallery gallery(plan, format);
     const std::size_t first = rows.size();
     for (std::size_t m = 0; m < plan.methods.size(); ++m) {
-      if (takes_rays(plan.methods[m]) && takes(plan.methods[m], format)) rows.push_back(gallery.compared(m));
+      if (leak::takes_rays(plan.methods[m]) && takes(plan.methods[m], format)) rows.push_back(gallery.compared(m));
     }
     time_rows(plan, gallery, std::span(rows).subspan(first));
   }

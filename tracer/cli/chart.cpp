@@ -2,7 +2,6 @@
 #include "exact/chart/chart.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <iterator>
 #include <memory>
 #include <vector>
@@ -11,6 +10,7 @@
 #include "exact/base/files.h"
 #include "exact/base/interrupt.h"
 #include "exact/base/json.h"
+#include "exact/base/output.h"
 #include "exact/mesh/read_mesh.h"
 #include "exact/mesh/triangulate.h"
 #include "exact/methods/methods.h"
@@ -79,13 +79,9 @@ void require_judged(const ChartPlan& plan, const Chart& chart) {
 
 /// The files of a folder of scenes, or the one file.
 std::vector<std::string> scene_files(const std::string& path) {
-  namespace fs = std::filesystem;
-  if (!fs::is_directory(path)) return {path};
-  std::vector<std::string> files;
-  for (const auto& entry : fs::directory_iterator(path)) {
-    if (entry.path().extension() == ".json") files.push_back(entry.path().string());
-  }
-  std::ranges::sort(files);
+  if (!is_directory(path)) return {path};
+  std::vector<std::string> files = files_in(path);
+  std::erase_if(files, [](const std::string& file) { return !file.ends_with(".json"); });
   if (files.empty()) throw bad_input(path, 0, "no scene, expected files that end in .json");
   return files;
 }
@@ -94,7 +90,7 @@ std::vector<std::string> scene_files(const std::string& path) {
 std::string source_of(const std::string& named, const char* shipped) {
   if (named == nothing) return {};
   if (!named.empty()) return named;
-  return std::filesystem::exists(shipped) ? shipped : "";
+  return exists(shipped) ? shipped : "";
 }
 
 /// Scenes are read before anything is measured, so that a fault in one costs no time.
@@ -139,17 +135,16 @@ void add_leaks(const Options& o, const ChartPlan& plan, std::span<const leak::Su
 }
 
 /// The record is written after each part: what was measured stays if a later part fails or is interrupted.
-void save(const Options& o, const Json& record) { write_file(o.out + "/chart.json", record.dump(1) + "\n"); }
-
 template <class Measure>
 void add_part(const Options& o, Json& record, const Measure& measure) {
+  const std::string kept = o.out + "/chart.json holds the parts before, and --redraw draws them";
+  const IfInterrupted note(kept);
   try {
     measure();
   } catch (const Failure& failure) {
-    throw Failure(failure.exit(), std::string(failure.what()) + "; " + o.out +
-                                      "/chart.json holds the parts before, and --redraw draws them");
+    throw Failure(failure.exit(), std::string(failure.what()) + "; " + kept);
   }
-  save(o, record);
+  write_chart(o.out, record);
 }
 
 // --- the command ----------------------------------------------------------------------------------------------------
@@ -163,10 +158,22 @@ int draw(const std::string& directory, const std::string& also) {
 
 /// From the record alone; nothing is measured.
 int redraw(const std::string& directory) {
-  watch_interrupts();
   const std::string file = directory + "/chart.json";
   parse_json(read_file(file), {file});
   return draw(directory, "");
+}
+
+/// The words that measure the same again, but for --out and for --threads, which change nothing that is measured.
+Json command_of(const Options& o, const ChartPlan& plan) {
+  const auto or_none = [](const std::string& file) { return file.empty() ? nothing : file; };
+  std::vector<std::string> words = {"chart"};
+  if (!o.methods.empty()) words.insert(words.end(), {"--method", o.methods});
+  words.insert(words.end(),
+               {"--seed", std::to_string(plan.seed), "--count", std::to_string(plan.cases), "--repetitions",
+                std::to_string(plan.repetitions), "--scenes", or_none(source_of(o.scenes, shipped_scenes)), "--mesh",
+                or_none(source_of(o.mesh, shipped_mesh)), "--rays", std::to_string(o.rays)});
+  if (o.quick) words.emplace_back("--quick");
+  return words;
 }
 
 int run(const Options& o) {
@@ -175,12 +182,12 @@ int run(const Options& o) {
   std::vector<Scene> scenes = scenes_of(o);
   const std::vector<leak::Surface> surfaces = mesh_of(o);
   make_directory(o.out);
-  watch_interrupts();
   const Chart chart = measure(plan);
   require_judged(plan, chart);
   print(to_table(plan, chart));
   Json record = to_json(plan, chart);
-  save(o, record);
+  record["command"] = command_of(o, plan);
+  write_chart(o.out, record);
   add_part(o, record, [&] { add_pictures(o, plan, std::move(scenes), record); });
   add_part(o, record, [&] { add_leaks(o, plan, surfaces, record); });
   return draw(o.out, "chart.json, ");

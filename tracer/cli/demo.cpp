@@ -1,10 +1,10 @@
 // tribunal demo: runs the other commands one after the other, the last of which makes a page of what they wrote.
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
+#include "exact/base/output.h"
 #include "exact/cli/program.h"
 #include "tracer/cli/command.h"
 #include "tracer/scene/read_scene.h"
@@ -89,13 +89,8 @@ constexpr const char* results[] = {
 
 /// Removes what an earlier demo left: the page must show this one, and must not stay if a step fails.
 void remove_earlier(const Options& o) {
-  const auto remove = [](const std::string& path) {
-    std::error_code error;
-    std::filesystem::remove_all(path, error);
-    if (error) throw Failure(Exit::output_failed, path + ": cannot be removed (" + error.message() + ")");
-  };
-  for (const char* name : results) remove(o.in(name));
-  remove(o.in("index.html"));
+  remove_tree(o.in("index.html"));
+  for (const char* name : results) remove_tree(o.in(name));
 }
 
 /// Refuses a scene that cannot be read, before anything is run or written.

@@ -6,6 +6,8 @@
 
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
+#include "exact/base/json.h"
+#include "exact/base/output.h"
 #include "exact/certificate/certificate.h"
 #include "exact/certificate/certify.h"
 #include "exact/cli/command.h"
@@ -81,7 +83,7 @@ Contract contract_of(const Options& o, bool any_bounds) {
 ChainedLog log_of(const Exam& exam, const AnswerSheet& sheet, const Contract& contract) {
   const Method method = method_of(sheet, contract);
   const bool triangles =
-      std::ranges::any_of(exam.truths, [](const Truth& t) { return t.operands() == Operands::triangles; });
+      std::ranges::any_of(exam.cases, [](const Case& c) { return c.query.operands() == Operands::triangles; });
   ChainedLog log;
   log_plan(log, method, triangles ? Operands::triangles : Operands::polygons, "the cases of a file", 0);
   Given given{.answer = [&](std::size_t i) { return sheet.answers[i]; }};
@@ -121,16 +123,52 @@ int run_cases(const Options& o) {
   std::vector<Certificate> all;
   std::string text;
   Count sum;
+  std::uint64_t answered = 0, nonfinite = 0;
   for (const AnswerSheet& sheet : read_answers(o.mesh.answers, exam)) {
     logs.push_back(log_of(exam, sheet, contract));
     all.push_back(certificate_from(logs.back().so_far()));
     sum += all.back().own();
+    answered += all.back().all_nonfinite().answered;
+    nonfinite += all.back().all_nonfinite().refused;
     text += to_summary(all.back());
   }
-  if (sum.judged() == 0) throw bad_input(o.mesh.answers, 0, "no answer is \"ok\" and owed, nothing to judge");
+  if (sum.judged() + answered + nonfinite == 0) {
+    throw bad_input(o.mesh.answers, 0,
+                    std::string("no answer is \"ok\" and owed, nothing to judge") +
+                        (o.culls ? "; with --culls none is owed about pierced polygons" : ""));
+  }
   if (!o.mesh.trial.out.empty()) text += write_report(o.mesh.trial.out, logs, all);
   print(text);
-  return code(sum.wrong > 0 ? Exit::disagreement : Exit::ok);
+  return code(sum.wrong + answered > 0 ? Exit::disagreement : Exit::ok);
+}
+
+/// The words that judge the same again: the files in the order given, and what the answers promise.
+std::vector<std::string> command_of(const Options& o) {
+  std::vector<std::string> words = {"judge"};
+  const auto add = [&](const char* option, const std::string& value, const std::string& otherwise = "") {
+    if (value != otherwise) words.insert(words.end(), {option, value});
+  };
+  const auto add_number = [&](const char* option, double value) {
+    if (value > 0) add(option, Json(value).dump());
+  };
+  const auto add_flag = [&](const char* option, bool given) {
+    if (given) words.emplace_back(option);
+  };
+  add("--cases", o.cases);
+  add("--mesh", o.mesh.trial.mesh);
+  add("--rays", o.mesh.rays);
+  add("--answers", o.mesh.answers);
+  add("--convention", o.convention, "closed");
+  add("--boundary", o.boundary);
+  add("--ends", o.ends, "closed");
+  add("--bounds", o.bounds, "closed");
+  add_flag("--culls", o.culls);
+  add_flag("--no-degenerate", o.no_degenerate);
+  add_flag("--sorted", o.mesh.promises.sorted);
+  add_number("--most-ulps", o.mesh.promises.most_ulps);
+  add_number("--most-degrees", o.mesh.promises.most_degrees);
+  add_flag("--normals-towards-source", o.towards_source);
+  return words;
 }
 
 int run(const Options& o) {
@@ -140,6 +178,7 @@ int run(const Options& o) {
   }
   if (cases) return run_cases(o);
   MeshAnswers answers = o.mesh;
+  answers.trial.command = command_of(o);
   answers.promises.contract = contract_of(o, false);
   if (o.towards_source) answers.promises.sense = leak::NormalSense::towards_source;
   return judge_mesh_answers(answers);

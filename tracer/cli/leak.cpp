@@ -4,6 +4,7 @@
 
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
+#include "exact/base/output.h"
 #include "exact/cli/command.h"
 #include "exact/mesh/read_mesh.h"
 #include "exact/mesh/triangulate.h"
@@ -26,15 +27,11 @@ struct Options {
   bool every_face = false;
 };
 
-bool takes_rays(const Method& m) { return m.contract.probes.rays && m.contract.triangles != Triangles::none; }
-
-/// The methods named on the command line; if none, those of the plugins; if there are no plugins, the flagship and
-/// all methods that are not exact.
+/// The methods on trial; without names and plugins, the flagship and all methods that are not exact.
 std::vector<Method> methods_of(const Options& o) {
-  if (!o.methods.empty()) return methods_named(o.methods);
+  if (o.methods.empty() && !loaded_meshes().empty() && loaded_methods().empty()) return {};
+  if (!o.methods.empty() || !loaded_methods().empty()) return methods_on_trial(o.methods);
   std::vector<Method> methods;
-  for (const std::string& name : loaded_methods()) methods.push_back(*find_method(name));
-  if (!loaded_methods().empty() || !loaded_meshes().empty()) return methods;
   methods.push_back(flagship_method());
   for (const Method& m : all_methods()) {
     if (!m.contract.exact && m.contract.triangles != Triangles::none) methods.push_back(m);
@@ -99,6 +96,8 @@ int run_format(MeshTrial& trial, const Options& o, const Mesh& mesh, const std::
 /// Writes the rays of each format, and the mesh that they were aimed at. Nobody is asked.
 int write_rays(const Options& o, const Mesh& mesh) {
   make_directory(o.rays_out);
+  OutputSet set;
+  std::string written;
   for (const Format format : formats_of(o)) {
     const Surface surface(mesh, format, o.trial.mesh);
     std::string lines;
@@ -111,19 +110,36 @@ int write_rays(const Options& o, const Mesh& mesh) {
     }
     if (count == 0) throw Failure(Exit::resources, o.trial.mesh + ": no start off the surface was found");
     const std::string name = o.rays_out + "/" + std::string(name_of(format));
-    write_file(name + ".off", to_off(surface));
-    write_file(name + ".jsonl", lines);
-    print(std::to_string(count) + " rays in " + name + ".jsonl, aimed at " + name + ".off\n");
+    set.add(name + ".off", to_off(surface));
+    set.add(name + ".jsonl", lines);
+    written += std::to_string(count) + " rays in " + name + ".jsonl, aimed at " + name + ".off\n";
   }
+  set.commit();
+  print(written);
   return 0;
 }
 
-int run(const Options& o) {
+/// The words that make the same trial. Of the methods that were named, those that could be asked.
+std::vector<std::string> command_of(const Options& o, const std::vector<Method>& methods) {
+  std::vector<std::string> words = {"leak", o.trial.mesh};
+  std::string asked;
+  for (const Method& m : methods) {
+    if (takes_rays(m)) asked += (asked.empty() ? "" : ",") + m.name;
+  }
+  if (!o.methods.empty()) words.insert(words.end(), {"--method", asked});
+  words.insert(words.end(), {"--format", o.format, "--seed", std::to_string(o.trial.seed)});
+  if (o.rays > 0) words.insert(words.end(), {"--rays", std::to_string(o.rays)});
+  if (o.every_face) words.emplace_back("--every-face");
+  return words;
+}
+
+int run(Options o) {
   const Mesh mesh = triangulated(read_mesh(o.trial.mesh), o.trial.mesh);
   if (!o.rays_out.empty()) return write_rays(o, mesh);
   const std::vector<Method> methods = methods_of(o);
   if (loaded_meshes().empty() && std::ranges::none_of(methods, takes_rays))
     throw Failure(Exit::usage, "no method given that takes rays of triangles");
+  o.trial.command = command_of(o, methods);
   MeshTrial trial;
   for (const Format format : formats_of(o)) {
     const int signal = run_format(trial, o, mesh, methods, format);
@@ -138,21 +154,16 @@ int run(const Options& o) {
 Action declare_leak(Arguments& arguments) {
   const auto o = std::make_shared<Options>();
   arguments.option("MESH", o->trial.mesh, "mesh file (OFF, OBJ, PLY, STL)").required();
-  arguments.option("--method", o->methods,
-                   "methods, separated by commas (default: those of plugins; without any, the certified one and all "
-                   "that are not exact)");
+  add_methods_option(arguments, o->methods, "the certified one and all that are not exact");
   arguments.option("--format", o->format, "of the rays, and of the mesh, which is rounded to it")
       .one_of({"binary64", "binary32", "both"})
       .shows_default();
   arguments.option("--rays", o->rays, "rays, of each format (default: four for each vertex, edge and face)")
-      .whole_number()
       .above_zero();
-  arguments.option("--seed", o->trial.seed, "seed of the rays").whole_number().shows_default();
+  arguments.option("--seed", o->trial.seed, "seed of the rays").shows_default();
   add_threads_option(arguments, o->trial.threads);
   arguments.option("--out", o->trial.out, "directory for summary.json, cases.jsonl and painted meshes (PLY)");
-  arguments.option("--keep", o->trial.keep, "cases to write, a method and kind of error")
-      .whole_number()
-      .shows_default();
+  arguments.option("--keep", o->trial.keep, "cases to write, a method and kind of error").shows_default();
   arguments.flag("--by-aim", o->trial.by_aim, "show rays aimed at vertices, edges and faces apart");
   arguments.flag("--every-face", o->every_face, "ask about every face, not only those whose boxes the ray meets");
   arguments.option("--rays-out", o->rays_out,

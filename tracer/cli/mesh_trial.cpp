@@ -5,6 +5,7 @@
 
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
+#include "exact/base/output.h"
 #include "exact/record/counterexample.h"
 #include "exact/record/environment.h"
 #include "tracer/leak/paint.h"
@@ -33,14 +34,31 @@ std::string file_name(const Subject& subject) {
 }
 
 Json summary_of(const MeshTrial& trial, const MeshTrialOptions& o) {
-  return {{"mesh", name_of_mesh(o)}, {"seed", o.seed}, {"trials", trial.summaries}, {"environment", environment()}};
+  return {{"mesh", name_of_mesh(o)},
+          {"seed", o.seed},
+          {"command", o.command},
+          {"trials", trial.summaries},
+          {"environment", environment()}};
+}
+
+/// Painted meshes of an earlier trial.
+void drop_pictures(OutputSet& set, const MeshTrial& trial, const std::string& directory) {
+  for (const std::string& path : files_in(directory)) {
+    const std::string file = path.substr(path.rfind('/') + 1);
+    const bool painted = file.ends_with("-binary32.ply") || file.ends_with("-binary64.ply");
+    const bool again = std::ranges::any_of(trial.pictures, [&](const auto& picture) { return picture.first == file; });
+    if (painted && !again) set.drop(path);
+  }
 }
 
 void write(const MeshTrial& trial, const MeshTrialOptions& o) {
   make_directory(o.out);
-  for (const auto& [file, bytes] : trial.pictures) write_file(o.out + "/" + file, bytes);
-  write_file(o.out + "/summary.json", summary_of(trial, o).dump(1) + "\n");
-  write_file(o.out + "/cases.jsonl", to_lines(trial.cases));
+  OutputSet set;
+  drop_pictures(set, trial, o.out);
+  for (const auto& [file, bytes] : trial.pictures) set.add(o.out + "/" + file, bytes);
+  set.add(o.out + "/cases.jsonl", to_lines(trial.cases));
+  set.add(o.out + "/summary.json", summary_of(trial, o).dump(1) + "\n");
+  set.commit();
 }
 
 void show(const MeshTrial& trial, const MeshTrialOptions& o, const std::string& first) {
@@ -62,7 +80,7 @@ void add(MeshTrial& trial, const MeshTrialOptions& o, const Surface& surface, co
   for (std::size_t i = 0; i < subjects.size(); ++i) {
     const SubjectReport& s = report.subjects[i];
     trial.erred |= has_erred(s);
-    trial.verdicts += verdict(subjects[i], s, surface.format()) + worst_faces(s, 3);
+    trial.verdicts += verdict(surface, subjects[i], report, s) + worst_faces(s, 3);
     if (o.out.empty()) continue;
     const auto cases = cases_of(surface, subjects[i], s, name_of_mesh(o), o.seed);
     trial.cases.insert(trial.cases.end(), cases.begin(), cases.end());

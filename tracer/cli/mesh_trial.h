@@ -27,6 +27,7 @@ struct MeshTrialOptions {
   unsigned threads = 1;
   std::size_t keep = 4;
   bool by_aim = false, json = false;
+  std::vector<std::string> command{};  ///< the words that make the same trial, but for --out and what changes no count
 };
 
 /// Adds a complete trial of one format. Fails with Exit::resources if it judged no ray.

@@ -9,6 +9,7 @@
 
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
+#include "exact/base/output.h"
 #include "exact/mesh/read_mesh.h"
 #include "exact/mesh/topology.h"
 #include "exact/record/counterexample.h"
@@ -34,12 +35,6 @@ struct Options {
   std::string up = "y";
   double scale = 1;
 };
-
-Method method_named(const std::string& name) {
-  const std::vector<Method> methods = methods_named(name);
-  if (methods.size() != 1) throw Failure(Exit::usage, "expected one method, found \"" + name + "\"");
-  return methods.front();
-}
 
 /// The acceleration of this name; the option's parser has refused all other names.
 Accel accel_named(std::string_view name) {
@@ -314,7 +309,7 @@ void require_writable(const Options& o, const std::vector<Output>& outputs) {
   for (const auto& [option, file] : outputs) {
     require_different(o.scene, file);
     const std::filesystem::path folder = std::filesystem::path(file).parent_path();
-    if (!folder.empty() && !std::filesystem::is_directory(folder)) {
+    if (!folder.empty() && !is_directory(folder.string())) {
       throw Failure(Exit::output_failed, file + ": cannot write: no folder " + folder.string());
     }
   }
@@ -329,8 +324,8 @@ std::string names_of(const std::vector<Output>& outputs) {
 
 int run(const Options& o) {
   const tbb::global_control builders(tbb::global_control::max_allowed_parallelism, o.threads);
-  std::vector<Method> methods{method_named(o.method)};
-  if (!o.against.empty()) methods.push_back(method_named(o.against));
+  std::vector<Method> methods{method_on_trial(o.method)};
+  if (!o.against.empty()) methods.push_back(method_on_trial(o.against));
   const std::vector<Output> outputs = outputs_of(o);
   require_writable(o, outputs);
   const Scene scene = scene_of(o);
@@ -363,10 +358,11 @@ int run(const Options& o) {
     report += table_row(methods[i], renderings[i]);
   }
   for (std::size_t i = 0; i < methods.size(); ++i) report += describe_starts(methods[i], renderings[i].tally);
-  write_file(o.out, to_png(renderings[0].image));
+  OutputSet set;
+  set.add(o.out, to_png(renderings[0].image));
   if (o.heat) {
-    write_file(beside(o.out, ".tests.png"), to_png(tests_heat_map(renderings[0])));
-    write_file(beside(o.out, ".stages.png"), to_png(stages_heat_map(renderings[0])));
+    set.add(beside(o.out, ".tests.png"), to_png(tests_heat_map(renderings[0])));
+    set.add(beside(o.out, ".stages.png"), to_png(stages_heat_map(renderings[0])));
     report += formatted(
         "heat maps: white is %llu tests a pixel (logarithmic); the deepest stage is filter (blue), "
         "integers (orange), exact (white)\n",
@@ -376,18 +372,19 @@ int run(const Options& o) {
     const std::vector<DifferingPixel> differing = differing_pixels(renderings[0], renderings[1]);
     const Findings f = examine(world, methods[0], methods[1], differing, depth, o.max_cases);
     stats["difference"] = to_json(f, methods[0], methods[1]);
-    write_file(beside(o.out, ".against.png"), to_png(renderings[1].image));
-    write_file(beside(o.out, ".diff.png"), to_png(difference_image(renderings[0].image, differing)));
-    write_file(beside(o.out, ".cases.jsonl"), to_lines(f.cases));
-    write_file(beside(o.out, ".diff.json"), to_text(o, stats, f));
+    set.add(beside(o.out, ".against.png"), to_png(renderings[1].image));
+    set.add(beside(o.out, ".diff.png"), to_png(difference_image(renderings[0].image, differing)));
+    set.add(beside(o.out, ".cases.jsonl"), to_lines(f.cases));
+    set.add(beside(o.out, ".diff.json"), to_text(o, stats, f));
     report += describe(f, o, renderings[0].image.pixels.size());
   }
   if (!o.pov.empty()) {
     const World triangles = make_world(scene, world.format, Accel::bvh, Faces::triangulated);
-    write_file(o.pov, to_pov(triangles, depth));
-    write_file(beside(o.pov, ".ids.png"), to_png(ids_image(triangles, methods[0])));
+    set.add(o.pov, to_pov(triangles, depth));
+    set.add(beside(o.pov, ".ids.png"), to_png(ids_image(triangles, methods[0])));
   }
-  if (!o.stats.empty()) write_file(o.stats, stats.dump(2) + "\n");
+  if (!o.stats.empty()) set.add(o.stats, stats.dump(2) + "\n");
+  set.commit();
   print(report + "\nwritten: " + names_of(outputs) + "\n");
   return code(Exit::ok);
 }
@@ -398,12 +395,13 @@ Action declare_render(Arguments& arguments) {
   const auto o = std::make_shared<Options>();
   arguments.option("scene", o->scene, "scene file (JSON), or a mesh (.off, .obj, .ply, .stl), which is then framed")
       .required();
-  arguments.option("--method", o->method, "the method that decides what rays hit").required();
+  arguments.option("--method,--methods", o->method,
+                   "the method that decides what rays hit (default: that of a plugin)");
   arguments.option("--against", o->against, "a second method: report, draw and export the pixels that differ");
   arguments.option("-o,--out", o->out, "image file (PNG)").required();
   arguments.option("--size", o->size, "pixels, e.g. 640x480, instead of the scene's");
   arguments.option("--camera", o->eye, "X,Y,Z: the place of the eye, instead of the scene's or the chosen one");
-  arguments.option("--scale", o->scale, "factor of the vertices of a mesh, e.g. 1e-6");
+  arguments.option("--scale", o->scale, "factor of the vertices of a mesh, e.g. 1e-6").of_either_sign();
   arguments.option("--up", o->up, "the axis of a mesh that points up in the picture")
       .one_of({"x", "y", "z"})
       .shows_default();

@@ -8,7 +8,9 @@
 #include <unordered_map>
 
 #include "exact/base/failure.h"
+#include "exact/base/foreign_json.h"
 #include "exact/base/record.h"
+#include "exact/base/shown.h"
 #include "exact/cases/case_io.h"
 
 namespace tribunal::leak {
@@ -57,14 +59,8 @@ AimedRay to_ray(const Json& object, Format format, const Where& where) {
 enum class Kind : std::uint8_t { closest, any, all, inside };
 constexpr std::array<const char*, 4> kind_names = {"closest", "any", "all", "inside"};
 
-/// A number, or "inf", "-inf" or "nan": what a test computed.
-double computed_number(const Json& value, const Where& where) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  if (value == "nan") return std::numeric_limits<double>::quiet_NaN();
-  if (value == "inf") return infinity;
-  if (value == "-inf") return -infinity;
-  return to_number(value, Format::binary64, where);
-}
+/// A number, finite or not: what a test computed.
+double computed_number(const Json& value, const Where& where) { return to_any_number(value, Format::binary64, where); }
 
 Point3 computed_point(const Json& value, const Where& where) {
   if (!value.is_array() || value.size() != 3) where.fail("expected three numbers");
@@ -119,7 +115,7 @@ Fault to_fault(const Json& object, const Where& where) {
   Fault fault{Status::gave_no_answer};
   if (object.contains("fault")) fault.kind = fault_named(text_at(object, "fault", where));
   if (!is_fault(fault.kind)) where.key("fault").fail("expected one that docs/formats.md lists");
-  if (object.contains("detail")) fault.detail = text_at(object, "detail", where);
+  if (object.contains("detail")) fault.detail = shown(text_at(object, "detail", where));
   return fault;
 }
 
@@ -167,7 +163,7 @@ class Sheets {
     const std::string id = text_at(object, "id", where);
     const auto place = places_.find(id);
     if (place == places_.end()) where.fail("answers \"" + id + "\", which is no ray's id");
-    Sheet& sheet = sheet_of(object.contains("method") ? text_at(object, "method", where) : "answers");
+    Sheet& sheet = sheet_of(object.contains("method") ? name_at(object, "method", where) : "answers");
     if (sheet.said[place->second])
       where.fail("a second answer of " + sheet.method + " to \"" + id + "\", expected one");
     sheet.said[place->second] = testimony(object, sheet, where);

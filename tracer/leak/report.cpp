@@ -179,9 +179,17 @@ std::string table(const std::vector<Subject>& subjects, const LeakReport& report
 
 namespace {
 
-std::string verdict_line(const Subject& subject, const SubjectReport& report, Format format) {
+std::string basis(const Surface& surface, const LeakReport& trial, const LeakTally& tally) {
+  const std::uint64_t at_edges = tally[Aim::vertex].rays + tally[Aim::edge].rays;
+  return std::string(surface.topology().closed() ? " (closed mesh; " : " (open mesh; ") + std::to_string(trial.rays) +
+         " of " + std::to_string(trial.rays + trial.skipped) + " rays judged, " + std::to_string(at_edges) +
+         " aimed at vertices and edges, " + std::to_string(trial.exactly) + " exactly through one)";
+}
+
+std::string verdict_line(const Surface& surface, const Subject& subject, const LeakReport& trial,
+                         const SubjectReport& report) {
   const AimTally all = report.tally.all();
-  const std::string who = subject.name + ", " + std::string(name_of(format)) + " rays: ";
+  const std::string who = subject.name + ", " + std::string(name_of(surface.format())) + " rays: ";
   if (all[Outcome::fault] == all.rays) return who + "no answer to any of these " + std::to_string(all.rays) + " rays\n";
   if (!subject.tells_hits) {
     const std::string of = std::to_string(all.parity_judged) + " rays";
@@ -195,7 +203,8 @@ std::string verdict_line(const Subject& subject, const SubjectReport& report, Fo
            " per million of these " + std::to_string(all.rays) + " rays" + other_errors(all) + "\n";
   }
   if (all[Outcome::leak] == 0) {
-    return who + "watertight on these " + std::to_string(all.rays) + " rays" + other_errors(all) + "\n";
+    return who + (surface.topology().closed() ? "watertight" : "no leak") + " on these " + std::to_string(all.rays) +
+           " rays" + other_errors(all) + basis(surface, trial, report.tally) + "\n";
   }
   return who + "leaks: " + rate(all[Outcome::leak], all.rays) + " per million rays, " + by_aim(report.tally) +
          other_errors(all) + "\n";
@@ -203,8 +212,9 @@ std::string verdict_line(const Subject& subject, const SubjectReport& report, Fo
 
 }  // namespace
 
-std::string verdict(const Subject& subject, const SubjectReport& report, Format format) {
-  std::string text = verdict_line(subject, report, format);
+std::string verdict(const Surface& surface, const Subject& subject, const LeakReport& trial,
+                    const SubjectReport& report) {
+  std::string text = verdict_line(surface, subject, trial, report);
   for (const auto& [fault, rays] : report.faults) {
     text += "  FAULT: " + fault + " on " + std::to_string(rays) + " rays\n";
   }

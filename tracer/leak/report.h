@@ -14,8 +14,10 @@ namespace tribunal::leak {
 std::string table(const std::vector<Subject>& subjects, const LeakReport& report, Format format, bool by_aim);
 
 /// "watertight on these 300000 rays", or the worst first: leaks, and at what they were aimed. A line for each fault
-/// follows.
-std::string verdict(const Subject& subject, const SubjectReport& report, Format format);
+/// follows. A claim that there are none says what it rests on: whether the mesh is closed, how many of the rays were
+/// judged, and how many went at vertices and edges. Of an open mesh it says nothing about watertightness.
+std::string verdict(const Surface& surface, const Subject& subject, const LeakReport& trial,
+                    const SubjectReport& report);
 
 /// Whether the subject made an error on any ray.
 bool has_erred(const SubjectReport& report);

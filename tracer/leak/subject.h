@@ -44,6 +44,11 @@ struct AskedRay {
 /// Where a normal points: as the right hand has it, (b − a) × (c − a); or to the side from which the ray comes.
 enum class NormalSense : std::uint8_t { by_vertices, towards_source };
 
+/// Whether a method can be asked face by face: about a ray and a triangle.
+inline bool takes_rays(const Method& m) {
+  return m.ray && m.contract.probes.rays && m.contract.triangles != Triangles::none;
+}
+
 struct Subject {
   std::string name;
   Contract contract{};

@@ -9,6 +9,7 @@
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
 #include "exact/base/record.h"
+#include "exact/base/shown.h"
 #include "exact/mesh/read_mesh.h"
 
 namespace tribunal {
@@ -156,8 +157,9 @@ Mesh to_mesh(const Json& object, const Where& where) {
   if (object.contains("vertices")) return to_solid_mesh(object, where);
   const char* const key = object.contains("mesh") ? "mesh" : "solid";
   if (object.contains("faces")) where.key("faces").fail("expected no faces beside \"" + std::string(key) + "\"");
-  const std::filesystem::path name = text_at(object[key], where.key(key));
-  const std::string path = (std::filesystem::path(where.file).parent_path() / name).string();
+  const std::string name = text_at(object[key], where.key(key));
+  if (!shows_as_it_is(name)) where.key(key).fail("expected the name of a file, found " + object[key].dump());
+  const std::string path = (std::filesystem::path(where.file).parent_path() / std::filesystem::path(name)).string();
   return object.contains("mesh") ? read_mesh(path) : read_solid(path);
 }
 
@@ -208,7 +210,8 @@ Solid to_solid(const Json& object, std::size_t number, const Where& where) {
                 "specular", "shininess", "reflection", "transparency", "refractive_index"},
                where);
   Solid s;
-  s.name = object.contains("name") ? text_at(object["name"], where.key("name")) : "solid " + std::to_string(number);
+  s.name =
+      object.contains("name") ? shown(text_at(object["name"], where.key("name"))) : "solid " + std::to_string(number);
   s.material = to_material(object, where);
   s.mesh = to_mesh(object, where);
   place(object, s.mesh, where);

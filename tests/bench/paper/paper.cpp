@@ -106,10 +106,6 @@ void print_ratios(const Medians& m) {
 
 int main(int argc, char** argv) {
   using namespace tribunal::bench;
-  Medians medians;
   register_all();
-  if (const int failed = run_interleaved(argc, argv, {.repetitions = 7, .seconds = 0.01}, medians)) return failed;
-  medians.pool(pooled_samples());
-  medians.print("ns a pair");
-  print_ratios(medians);
+  return run_benchmarks(argc, argv, {.repetitions = 7, .seconds = 0.01}, "ns a pair", print_ratios);
 }

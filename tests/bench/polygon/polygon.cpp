@@ -302,12 +302,10 @@ void print_growth(const Medians& m) {
 
 int main(int argc, char** argv) {
   using namespace tribunal::bench;
-  Medians medians;
   register_all();
-  if (const int failed = run_interleaved(argc, argv, {.repetitions = 11, .seconds = 0.002}, medians)) return failed;
-  medians.pool(pooled_samples());
-  medians.print("ns a query");
-  print_growth(medians);
-  print_boundary_ratios(medians);
-  print_ratios(medians);
+  return run_benchmarks(argc, argv, {.repetitions = 11, .seconds = 0.002}, "ns a query", [](const Medians& medians) {
+    print_growth(medians);
+    print_boundary_ratios(medians);
+    print_ratios(medians);
+  });
 }

@@ -265,11 +265,9 @@ void print_share_past_the_filter() {
 
 int main(int argc, char** argv) {
   using namespace tribunal::bench;
-  Medians medians;
   register_all();
-  if (const int failed = run_interleaved(argc, argv, {.repetitions = 9}, medians)) return failed;
-  medians.pool(pooled_samples());
-  medians.print("ns a pair");
-  print_share_past_the_filter();
-  print_ratios(medians);
+  return run_benchmarks(argc, argv, {.repetitions = 9}, "ns a pair", [](const Medians& medians) {
+    print_share_past_the_filter();
+    print_ratios(medians);
+  });
 }

@@ -160,10 +160,8 @@ int main(int argc, char** argv) {
       time_casters(subject, p);
     }
   }
-  Medians medians;
-  if (const int failed = run_interleaved(argc, argv, {.repetitions = 5}, medians)) return failed;
-  time_frames(scenes, 3, medians);
-  medians.pool(pooled_samples());
-  medians.print("ns a ray, or a pixel");
-  print_ratios(medians, scenes);
+  return run_benchmarks(
+      argc, argv, {.repetitions = 5}, "ns a ray, or a pixel",
+      [&](const Medians& medians) { print_ratios(medians, scenes); },
+      [&](Medians& medians) { time_frames(scenes, 3, medians); });
 }

@@ -1,8 +1,10 @@
 // Builds the tree from the top: a set is cut in two again and again until there are eight, which become a node.
 // Source of the order (the child of largest area is cut next): Wald, Benthin, Boulos, RT 2008; Embree's builders.
 #include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
+#include <tbb/task_arena.h>
 #include <tbb/task_group.h>
 
 #include <algorithm>
@@ -85,6 +87,15 @@ Sum summed(Refs refs, const Sum& zero, const Add& add, const Join& join) {
         return add(refs.subspan(range.begin(), range.size()), sum);
       },
       join);
+}
+
+/// Runs the work with the threads that are allowed. Where that is one, in an arena of its own: TBB would start a second
+/// thread for its default arena all the same, and a process may not be allowed to.
+template <class Work>
+void in_allowed_threads(const Work& work) {
+  using tbb::global_control;
+  if (global_control::active_value(global_control::max_allowed_parallelism) > 1) return work();
+  tbb::task_arena(1).execute(work);
 }
 
 }  // namespace
@@ -285,10 +296,12 @@ WideTree::WideTree(std::uint32_t count, const std::function<Primitive(std::uint3
   // The proofs that boxes are rounded outward assume rounding to nearest; tasks in other threads inherit it from the
   // context that is captured here.
   const DefaultRounding in_this_scope;
-  tbb::task_group_context context(tbb::task_group_context::isolated,
-                                  tbb::task_group_context::default_traits | tbb::task_group_context::fp_settings);
-  tbb::task_group all(context);
-  all.run_and_wait([&] { WideBuilder(*this, count, primitive).build(); });
+  in_allowed_threads([&] {
+    tbb::task_group_context context(tbb::task_group_context::isolated,
+                                    tbb::task_group_context::default_traits | tbb::task_group_context::fp_settings);
+    tbb::task_group all(context);
+    all.run_and_wait([&] { WideBuilder(*this, count, primitive).build(); });
+  });
 }
 
 }  // namespace tribunal

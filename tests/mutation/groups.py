@@ -1,0 +1,65 @@
+"""Which program of checks is for which files."""
+import dataclasses
+import pathlib
+import re
+
+
+@dataclasses.dataclass(frozen=True)
+class Group:
+    program: str            # in tests/mutation
+    files: tuple            # those judged
+    sources: tuple = ()     # compiled beside the program
+    embedded: tuple = ()    # (symbol, file): texts that the build compiles in (embed_text of CMakeLists.txt)
+    arguments: tuple = ()   # files given to the program
+    libraries: tuple = ()
+    # Where nothing throws, a call has no second way out that would count as a branch.
+    coverage_flags: tuple = ('-fno-exceptions',)
+    slow: bool = False  # to compile: left out of the everyday sample
+
+
+FILTERED = tuple(f'exact/filtered/{name}.cpp' for name in ('filtered', 'filtered_kernel', 'crossing', 'hit_fraction',
+                                                           'rounded_parameter', 'stages/integer_image'))
+
+GROUPS = (
+    Group('kill.cpp', ('core/sign.h', 'core/vec3.h', 'core/signed_volume.h', 'core/kernel.h', 'core/coplanar.h',
+                       'core/segura_feito.h', 'core/operands.h', 'exact/classes/chirotope.h'),
+          arguments=('data/classes163.tsv', 'data/ray_classes.tsv')),
+    Group('kill_polygons.cpp', ('core/covering.h', 'core/segura_feito_polygon.h', 'core/polygon.h', 'core/longest_axis.h',
+                                'core/products.h')),
+    Group('kill_filters.cpp', ('exact/filtered/filter_bounds.h', 'exact/filtered/filter.h',
+                               'exact/filtered/term_filter.h', 'exact/filtered/within_filter.h',
+                               'exact/filtered/shared_volumes.h', 'exact/filtered/twin.h', 'exact/filtered/filtered.h')),
+    Group('kill_filtered.cpp', FILTERED + ('exact/filtered/filtered_kernel.h', 'exact/filtered/tally.h',
+                                           'exact/filtered/double_double.h', 'exact/filtered/stages/exact_stages.h',
+                                           'exact/filtered/stages/fixed_integer.h', 'exact/filtered/stages/grid_kernel.h',
+                                           'exact/filtered/stages/integer_image.h',
+                                           'exact/filtered/stages/default_rounding.h'),
+          sources=FILTERED + ('exact/kernels/dyadic.cpp', 'exact/classes/class_table.cpp'),
+          embedded=(('embedded_classes163', 'data/classes163.tsv'), ('embedded_ray_classes', 'data/ray_classes.tsv')),
+          libraries=('-lmpfr', '-lgmpxx', '-lgmp'), coverage_flags=(), slow=True),
+)
+GROUP_OF = {file: group for group in GROUPS for file in group.files}
+
+
+def units_of(group, root, scratch):
+    """What is compiled for the group's program, the program first: paths in the repository, or in the scratch folder."""
+    units = [f'tests/mutation/{group.program}', *group.sources]
+    if group.embedded:
+        text = '#include "exact/base/embedded.h"\n'
+        for symbol, file in group.embedded:
+            text += f'const char* const tribunal::{symbol} = R"embedded({(root / file).read_text()})embedded";\n'
+        generated = pathlib.Path(scratch) / 'embedded.cpp'
+        generated.write_text(text)
+        units.append(str(generated))
+    return units
+
+
+def reached_from(unit, root):
+    """The files of the repository that a unit includes, itself among them."""
+    seen, todo = {unit}, [unit]
+    while todo:
+        for name in re.findall(r'^#include "([^"]*)"', (root / todo.pop()).read_text(), re.M):
+            if name not in seen and (root / name).exists():
+                seen.add(name)
+                todo.append(name)
+    return seen
