@@ -10,6 +10,7 @@
 
 #include "exact/base/failure.h"
 #include "exact/base/foreign_json.h"
+#include "exact/base/scan.h"
 #include "exact/base/shown.h"
 #include "exact/base/suggestion.h"
 
@@ -47,21 +48,6 @@ int depth_of(std::string_view text) {
 bool is_tiny(std::string_view hex_float) {
   const std::size_t p = hex_float.find_first_of("pP");
   return p != std::string_view::npos && hex_float.substr(p + 1).starts_with('-');
-}
-
-/// Parses the C99 form of a hex float. std::from_chars, which does not depend on the locale, takes no "0x", so sign and
-/// prefix are read here.
-bool parse_hex_float(std::string_view text, double& x) {
-  const bool negative = text.starts_with('-');
-  if (negative || text.starts_with('+')) text.remove_prefix(1);
-  if (!text.starts_with("0x") && !text.starts_with("0X")) return false;
-  text.remove_prefix(2);
-  if (text.empty() || text.front() == '-') return false;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x, std::chars_format::hex);
-  if (end != text.data() + text.size()) return false;
-  if (error == std::errc::result_out_of_range) x = is_tiny(text) ? 0 : std::numeric_limits<double>::infinity();
-  if (negative) x = -x;
-  return error == std::errc{} || error == std::errc::result_out_of_range;
 }
 
 /// What becomes of a number like 1e999, beyond binary64: the text is refused, or the number is infinite.
@@ -237,6 +223,20 @@ std::string hex_float(double x) {
   char digits[40];
   const char* const end = std::to_chars(digits, digits + sizeof digits, std::fabs(x), std::chars_format::hex).ptr;
   return (std::signbit(x) ? "-0x" : "0x") + std::string(digits, static_cast<std::size_t>(end - digits));
+}
+
+/// std::from_chars, which does not depend on the locale, takes no "0x", so sign and prefix are read here.
+bool parse_hex_float(std::string_view text, double& x) {
+  const bool negative = text.starts_with('-');
+  if (negative || text.starts_with('+')) text.remove_prefix(1);
+  if (!text.starts_with("0x") && !text.starts_with("0X")) return false;
+  text.remove_prefix(2);
+  if (text.empty() || text.front() == '-') return false;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x, std::chars_format::hex);
+  if (end != text.data() + text.size()) return false;
+  if (error == std::errc::result_out_of_range) x = is_tiny(text) ? 0 : std::numeric_limits<double>::infinity();
+  if (negative) x = -x;
+  return error == std::errc{} || error == std::errc::result_out_of_range;
 }
 
 double to_number(const Json& value, Format format, const Where& where) {

@@ -6,16 +6,15 @@
 #include <utility>
 
 #include "exact/base/failure.h"
-#include "exact/base/files.h"
 #include "exact/base/foreign_json.h"
+#include "exact/base/lines.h"
 #include "exact/base/record.h"
 #include "exact/cases/case_line.h"
+#include "exact/cases/case_scan.h"
 #include "exact/classes/class_table.h"
 
 namespace tribunal {
 namespace {
-
-constexpr std::size_t max_line = std::size_t{1} << 20;
 
 std::string to_text(const Json& object, const char* key, const Where& where) { return Record(object, where).text(key); }
 
@@ -148,6 +147,19 @@ void add_target(Json& object, const Polygon& polygon) {
   object["rings"] = std::move(rings);
 }
 
+constexpr std::size_t lines_at_once = 1024, bytes_at_once = std::size_t{1} << 18;
+
+bool next_block(LineReader& reader, LineBlock& block) { return reader.next(block, lines_at_once, bytes_at_once); }
+
+void for_each_line_of(LineReader reader, const std::string& path,
+                      const std::function<void(const Json& object, const Where& where)>& visit) {
+  const auto read = [&](std::string_view line, std::size_t number) {
+    const Where where{path, number};
+    visit(parse_json_beyond(line, where), where);
+  };
+  for (LineBlock block; next_block(reader, block);) block.for_each(path, read);
+}
+
 /// Triangles and polygons have separate certificates.
 void require_operands(Operands operands, const Json& object, const Where& where) {
   if (!object.is_object()) return;
@@ -159,12 +171,18 @@ void require_operands(Operands operands, const Json& object, const Where& where)
   }
 }
 
-std::vector<Case> cases_in(std::string_view text, const std::string& path, std::optional<Operands> operands) {
+/// All cases that the reader has lines of, with these operands if any are named.
+std::vector<Case> cases_of(LineReader reader, const std::string& path, std::optional<Operands> operands) {
   std::vector<Case> cases;
-  for_each_line_in(text, path, [&](const Json& object, const Where& where) {
+  const auto read = [&](std::string_view line, std::size_t number) {
+    Case& c = cases.emplace_back();
+    if (scan_case(line, c) && (!operands || c.query.operands() == *operands)) return;
+    const Where where{path, number};
+    const Json object = parse_json_beyond(line, where);
     if (operands) require_operands(*operands, object, where);
-    cases.push_back(to_case(object, where));
-  });
+    c = to_case(object, where);
+  };
+  for (LineBlock block; next_block(reader, block);) block.for_each(path, read);
   if (cases.empty()) throw bad_input(path, 0, "holds no cases, expected one JSON object a line");
   return cases;
 }
@@ -175,8 +193,6 @@ void require_silence(const Json& object, const Where& where) {
     if (object.contains(key)) where.key(key).fail("given of a case with a number that is not finite, expected none");
   }
 }
-
-bool is_blank(std::string_view line) { return line.find_first_not_of(" \t\r") == std::string_view::npos; }
 
 }  // namespace
 
@@ -217,31 +233,22 @@ std::string case_line(const std::string& id, const Query& query) {
 }
 
 void for_each_line(const std::string& path, const std::function<void(const Json& object, const Where& where)>& visit) {
-  for_each_line_in(read_file(path), path, visit);
+  for_each_line_of(LineReader(bytes_of(path)), path, visit);
 }
 
 void for_each_line_in(std::string_view text, const std::string& path,
                       const std::function<void(const Json& object, const Where& where)>& visit) {
-  std::size_t line_number = 0;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    const std::string_view line = text.substr(begin, end - begin);
-    begin = end + 1;
-    const Where where{path, ++line_number};
-    if (is_blank(line)) continue;
-    if (line.size() > max_line) where.fail("line longer than 1 MiB, expected one JSON object");
-    visit(parse_json_beyond(line, where), where);
-  }
+  for_each_line_of(LineReader(bytes_in(text)), path, visit);
 }
 
 std::vector<Case> cases_in(std::string_view text, const std::string& path) {
-  return cases_in(text, path, std::optional<Operands>{});
+  return cases_of(LineReader(bytes_in(text)), path, {});
 }
 
-std::vector<Case> read_cases(const std::string& path) { return cases_in(read_file(path), path); }
+std::vector<Case> read_cases(const std::string& path) { return cases_of(LineReader(bytes_of(path)), path, {}); }
 
 std::vector<Case> read_cases(const std::string& path, Operands operands) {
-  return cases_in(read_file(path), path, std::optional(operands));
+  return cases_of(LineReader(bytes_of(path)), path, operands);
 }
 
 Json from_answer(const Case& c, const Method& method, const Answer& answer) {

@@ -10,6 +10,7 @@
 #include "exact/base/progress.h"
 #include "exact/base/shown.h"
 #include "exact/certificate/certificate.h"
+#include "exact/certificate/own_cases.h"
 #include "exact/methods/methods.h"
 #include "exact/record/contract_json.h"
 #include "exact/record/counterexample.h"
@@ -18,7 +19,6 @@
 #include "exact/record/sample_row.h"
 #include "exact/relations/relation.h"
 #include "exact/shrink/shrink.h"
-#include "exact/trial/exact_hit.h"
 #include "exact/trial/observe.h"
 #include "exact/trial/severity.h"
 
@@ -183,62 +183,25 @@ void log_errors(ChainedLog& log, const FuzzPlan& plan, const FuzzReport& report)
   }
 }
 
-/// Those of the cases that have these operands and this format. Adds to `wrong` what was answered wrongly.
-void log_some(ChainedLog& log, const Method& method, const std::vector<Case>& cases, const std::vector<Truth>& truths,
-              const Given& all_given, Operands operands, Format format, std::vector<Case>& wrong) {
-  SampleRow row{.method = method.name, .family = own_cases, .format = format};
-  HitErrors errors;
-  for (std::size_t i = 0; i < cases.size(); ++i) {
-    if (cases[i].format != format || cases[i].query.operands() != operands || !is_finite(cases[i].query)) continue;
-    const Answer given = takes(method, format) ? all_given.answer(i) : refusal(Status::unsupported);
-    const Outcome outcome = takes(method, format) ? judge(method, truths[i], given) : Outcome::not_owed;
-    Count& count = row.counts[slot_of(truths[i])];
-    count.add(outcome, given.stage);
-    const Query& query = cases[i].query;
-    if (all_given.numbers && outcome == Outcome::right && given.hit && has_numbers(query, truths[i])) {
-      const ExactHit exact = exact_hit(std::get<Ray>(query.probe), query.triangle());
-      add_numbers(errors, all_given.numbers(i), exact, method.contract.format, i);
+/// Asks the method about the user's own cases and logs what came of it. It is not asked of operands that it does not
+/// take.
+void log_own_cases(ChainedLog& log, const CertifyPlan& plan) {
+  constexpr std::size_t block_size = 256;
+  const Method& method = plan.method;
+  OwnCounts<Spool> all;
+  for (std::size_t begin = 0; begin < plan.cases.size(); begin += block_size) {
+    OwnCounts<std::string> block{.gives_numbers = gives_numbers(method)};
+    for (std::size_t i = begin; i < std::min(plan.cases.size(), begin + block_size); ++i) {
+      const Case& c = plan.cases[i];
+      const bool asked = takes(method, c.format) || !is_finite(c.query);
+      OwnAnswer answer{c, plan.truths[i], asked ? method.ask(c.query) : refusal(Status::unsupported)};
+      answer.number = i;
+      if (block.gives_numbers) answer.numbers = [&] { return numbers_of(method, c.query); };
+      add(block, method, answer);
     }
-    if (!is_wrong(outcome)) continue;
-    count.add_wrong(severity_of(query, truths[i]), cause_of(method, query, truths[i], outcome));
-    wrong.push_back(with_steady_finding(cases[i], method, truths[i], given));
+    add(all, block);
   }
-  const std::uint64_t n = total_of(row).asked;
-  if (n == 0) return;
-  const Json stream = {{"record", "stream"},
-                       {"family", row.family},
-                       {"fmt", name_of(format)},
-                       {"axis", "(none)"},
-                       {"population", "the cases of your file, no more"},
-                       {"judged_by", oracles_of(operands)},
-                       {"aims_at_classes", false},
-                       {"taken", true},
-                       {"cases", n}};
-  log.add(with_operands(stream, operands));
-  log.add(to_record(row));
-  if (errors.hits > 0) log.add(errors_record(row.method, row.family, format, errors));
-}
-
-/// What became of the cases of a format with numbers that are not finite, which are to be refused.
-void log_nonfinite(ChainedLog& log, const std::vector<Case>& cases, const Given& given, Format format) {
-  std::uint64_t asked = 0, refused = 0, answered = 0;
-  Json first;
-  for (std::size_t i = 0; i < cases.size(); ++i) {
-    if (cases[i].format != format || is_finite(cases[i].query)) continue;
-    const Status status = given.answer(i).status;
-    ++asked;
-    refused += status == Status::nonfinite ? 1 : 0;
-    if (status == Status::nonfinite || status == Status::unsupported) continue;
-    if (answered++ == 0) first = cases[i].id;
-  }
-  if (asked == 0) return;
-  Json record = {{"record", "nonfinite"},
-                 {"fmt", name_of(format)},
-                 {"asked", asked},
-                 {"refused", refused},
-                 {"answered", answered}};
-  if (answered > 0) record["first"] = first;
-  log.add(record);
+  log_own_cases(log, method, all);
 }
 
 }  // namespace
@@ -280,19 +243,6 @@ void log_plan(ChainedLog& log, const Method& method, Operands operands, const st
   log.add(made_with);
 }
 
-void log_own_cases(ChainedLog& log, const Method& method, const std::vector<Case>& cases,
-                   const std::vector<Truth>& truths, const Given& given) {
-  std::vector<Case> wrong;
-  for (const Operands operands : {Operands::triangles, Operands::polygons}) {
-    for (const Format format : {Format::binary64, Format::binary32}) {
-      log_some(log, method, cases, truths, given, operands, format, wrong);
-    }
-  }
-  for (const Format format : {Format::binary64, Format::binary32}) log_nonfinite(log, cases, given, format);
-  sort_by_rank(wrong);
-  for (const Case& c : wrong) log_counterexample(log, c);
-}
-
 ChainedLog certify(const CertifyPlan& plan) {
   ChainedLog log;
   log_plan(log, plan.method, plan.operands, plan.budget.name, plan.seed);
@@ -315,11 +265,7 @@ ChainedLog certify(const CertifyPlan& plan) {
   offer_from_sets(simplest, plan.method, sets);
   offer_from_sample(simplest, sample, report);
   simplest.log_into(log, counterexamples_to(plan, relations));
-  Given given{.answer = [&](std::size_t i) { return plan.method.ask(plan.cases[i].query); }};
-  if (gives_numbers(plan.method)) {
-    given.numbers = [&](std::size_t i) { return numbers_of(plan.method, plan.cases[i].query); };
-  }
-  log_own_cases(log, plan.method, plan.cases, plan.truths, given);
+  log_own_cases(log, plan);
   return log;
 }
 

@@ -1,8 +1,6 @@
 // Runs a trial and logs it; the certificate is made from the log.
 #pragma once
 
-#include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,17 +28,6 @@ std::vector<Truth> truths_of(const std::vector<Case>& cases, const std::string& 
 
 /// The whole trial. Deterministic for a plan, whatever the number of threads. Fails if interrupted.
 ChainedLog certify(const CertifyPlan& plan);
-
-/// Logs the user's own cases, one stream for each kind of operands in each format; `truths` are their exact answers,
-/// and each case that was answered wrongly is logged as a counterexample. Cases with numbers that are not finite are
-/// counted apart, and are to be refused. `given` says what the method answered to case
-/// i and which numbers it gives with a hit; it is not called for operands that the method does not take.
-struct Given {
-  std::function<Answer(std::size_t)> answer;
-  std::function<std::optional<HitAt>(std::size_t)> numbers{};  ///< empty if it gives none
-};
-void log_own_cases(ChainedLog& log, const Method& method, const std::vector<Case>& cases,
-                   const std::vector<Truth>& truths, const Given& given);
 
 /// The naive methods that run beside the method on trial: all except the method itself.
 std::vector<Method> calibration_beside(const std::string& method);

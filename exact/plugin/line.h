@@ -70,7 +70,7 @@ class LastFaults {
 
 /// Makes answers of the plugin's calls. Whatever a call does instead of answering is a fault: an answer with that
 /// status where the plugin is isolated; else it ends the command with one line that contains the case.
-struct Line {
+struct PluginLine {
   Format format;
   std::string file;
   std::shared_ptr<const PluginCalls> calls;

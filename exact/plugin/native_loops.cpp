@@ -39,7 +39,7 @@ NativeLoop at_once(tribunal_ask_batch* ask, Format format, int kind) {
 }
 
 /// Triangles that the plugin prepares one by one; it alone knows how many bytes it keeps.
-PreparedRun prepared_by(const Line& line, std::span<const SegmentPair> pairs, int kind) {
+PreparedRun prepared_by(const PluginLine& line, std::span<const SegmentPair> pairs, int kind) {
   const auto rows = std::make_shared<Rows>(pairs, line.format);
   const auto prepared = std::make_shared<std::vector<std::shared_ptr<const PreparedCalls>>>(pairs.size());
   const auto set_up = [line, rows, prepared] {
@@ -55,7 +55,7 @@ PreparedRun prepared_by(const Line& line, std::span<const SegmentPair> pairs, in
 
 }  // namespace
 
-NativeLoops native_loops_of(const tribunal_plugin& plugin, const Line& line, int kind) {
+NativeLoops native_loops_of(const tribunal_plugin& plugin, const PluginLine& line, int kind) {
   NativeLoops native{.single = one_by_one(plugin.ask, line.format, kind)};
   if (plugin.ask_batch != nullptr) native.batch = at_once(plugin.ask_batch, line.format, kind);
   if (plugin.prepare == nullptr) return native;

@@ -8,6 +8,6 @@ namespace tribunal {
 
 /// Of a plugin that has a test of triangles, by probes of this kind. They run in this process; what the test throws is
 /// thrown.
-NativeLoops native_loops_of(const tribunal_plugin& plugin, const Line& line, int kind);
+NativeLoops native_loops_of(const tribunal_plugin& plugin, const PluginLine& line, int kind);
 
 }  // namespace tribunal

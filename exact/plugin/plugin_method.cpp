@@ -12,7 +12,7 @@
 
 namespace tribunal {
 
-void Line::require_same_environment() const {
+void PluginLine::require_same_environment() const {
   if (has_exact_rounding()) return;
   require_exact_rounding();  // for what remains to be done: CGAL aborts at exit if it finds another mode
   throw Failure(Exit::fp_environment,
@@ -31,7 +31,7 @@ struct Pack {
 /// One plugin's functions for triangles. Without them nothing is supported.
 class Caller {
  public:
-  Caller(const tribunal_plugin& plugin, Line line)
+  Caller(const tribunal_plugin& plugin, PluginLine line)
       : asks_(plugin.ask != nullptr),
         tells_(plugin.tells_contact != 0 || plugin.tells_side != 0),
         line_(std::move(line)) {}
@@ -161,13 +161,13 @@ class Caller {
   }
 
   bool asks_, tells_;
-  Line line_;
+  PluginLine line_;
 };
 
 /// A triangle that a plugin has prepared; it is released with the last copy of this object.
 class PreparedCaller {
  public:
-  PreparedCaller(const Triangle& t, Line line) : t_(t), line_(std::move(line)) {
+  PreparedCaller(const Triangle& t, PluginLine line) : t_(t), line_(std::move(line)) {
     std::vector<double> x;
     for (const Point3& v : {t.a, t.b, t.c}) add_coordinates(x, v, line_.format);
     if (!all_finite(x)) return;
@@ -197,7 +197,7 @@ class PreparedCaller {
 
  private:
   Triangle t_;
-  Line line_;
+  PluginLine line_;
   Fault failed_{};
   std::shared_ptr<const PreparedCalls> prepared_{};  ///< null where the triangle is beyond the format
 };
@@ -205,7 +205,7 @@ class PreparedCaller {
 /// A polygon in the form that a plugin takes.
 class PolygonCaller {
  public:
-  PolygonCaller(const Polygon& polygon, Line line)
+  PolygonCaller(const Polygon& polygon, PluginLine line)
       : polygon_(polygon),
         ends_(polygon.ends.begin(), polygon.ends.end()),
         planar_(is_planar_by_normal<Dyadic>(polygon)),
@@ -240,10 +240,10 @@ class PolygonCaller {
   std::vector<std::size_t> ends_;
   bool planar_;  ///< decided here: a plugin is asked for hits only
   std::vector<double> vertices_{};
-  Line line_;
+  PluginLine line_;
 };
 
-void add_polygons(Method& method, const tribunal_polygon_plugin& polygons, const Line& line) {
+void add_polygons(Method& method, const tribunal_polygon_plugin& polygons, const PluginLine& line) {
   require_version(polygons.abi, line.file);
   if (polygons.ask == nullptr) throw bad_input(line.file, 0, "ask of polygons is NULL, expected a function");
   read_restrictions(method.contract, polygons, line.file);
@@ -265,7 +265,7 @@ void add_batches(Method& method, const Caller& caller, const tribunal_plugin& pl
   if (isolated && plugin.tells_contact == 0 && plugin.tells_side == 0) method.ask_each = asking(&PluginCalls::ask_each);
 }
 
-void add_triangles(Method& method, const tribunal_plugin& plugin, const Line& line) {
+void add_triangles(Method& method, const tribunal_plugin& plugin, const PluginLine& line) {
   const Caller caller(plugin, line);
   method.segment = [caller](const Segment& s, const Triangle& t) { return caller.ask(s, t); };
   method.ray = [caller](const Ray& r, const Triangle& t) { return caller.ask(r, t); };
@@ -302,7 +302,7 @@ Method plugin_method(const tribunal_plugin& plugin, const std::string& file, con
   require_version(plugin.abi, file);
   Method method = described(plugin, file);
   if (plugin.ask == nullptr && polygons == nullptr) throw bad_input(file, 0, "ask is NULL, expected a function");
-  const Line line{method.contract.format, file, calls};
+  const PluginLine line{method.contract.format, file, calls};
   if (polygons != nullptr) add_polygons(method, *polygons, line);
   add_triangles(method, plugin, line);
   if (calls->isolated()) method.last_fault = [faults = line.faults] { return faults->of_this_thread(); };

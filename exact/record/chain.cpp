@@ -31,6 +31,18 @@ void ChainedLog::add(Json record) {
   log_.records.push_back(std::move(record));
 }
 
+void ChainedLog::add_counterexamples(const Spool& lines) {
+  std::string rest;
+  lines.for_each_piece([&](std::string_view piece) {
+    rest += piece;
+    std::size_t begin = 0;
+    for (std::size_t end; (end = rest.find('\n', begin)) != std::string::npos; begin = end + 1) {
+      add({{"record", "counterexample"}, {"case", parse_json(rest.substr(begin, end - begin), {"counterexamples"})}});
+    }
+    rest.erase(0, begin);
+  });
+}
+
 std::string ChainedLog::finish() {
   append({{"record", "end"}, {"records", log_.records.size()}});
   return text_;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "exact/base/record.h"
+#include "exact/base/spool.h"
 
 namespace tribunal {
 
@@ -25,6 +26,9 @@ struct LogRecords {
 class ChainedLog {
  public:
   void add(Json record);
+
+  /// Adds a record "counterexample" for each line, which is a case.
+  void add_counterexamples(const Spool& lines);
 
   /// Adds the record {"record":"end","records":n}, without which a log counts as cut short, and returns the text.
   std::string finish();

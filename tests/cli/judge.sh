@@ -139,7 +139,7 @@ refused 'bad.jsonl:1: hit: expected 0 or 1, found true' '{"id":"flat","hit":true
 refused 'bad.jsonl:1: hit: given with a status' '{"id":"flat","hit":1,"status":"unsupported"}'
 refused 'bad.jsonl:1: status: expected "ok", "nonfinite", "unsupported" or "failed", found "fine"' '{"id":"flat","hit":1,"status":"fine"}'
 refused 'bad.jsonl:1: unknown key "hits", did you mean "hit"?' '{"id":"flat","hits":1}'
-refused 'bad.jsonl:1: method: expected a string' '{"id":"flat","hit":1,"method":7}'
+refused 'bad.jsonl:1: method: expected 1 to 32 of a-z A-Z' '{"id":"flat","hit":1,"method":7}'
 refused 'bad.jsonl:1: not valid JSON' '{"id":"flat","hit":1'
 refused 'bad.jsonl: no answer is "ok"' '{"id":"flat","status":"unsupported"}'
 : >bad.jsonl && expect 3 judge --cases flat.jsonl --answers bad.jsonl && says err 'bad.jsonl: holds no answers'

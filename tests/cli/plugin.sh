@@ -131,8 +131,8 @@ breaks 'name is NULL' -DNAME=NULL
 breaks 'name is "", expected' -DNAME='""'
 breaks 'name is "a,b", expected' -DNAME='"a,b"'
 breaks 'name is "-x", expected' -DNAME='"-x"'
-breaks 'name is "two\nlines", expected' -DNAME='"two\nlines"'
-breaks 'name is "\ufffd", expected' -DNAME='"\xff"'
+breaks 'name is "two\u000alines", expected' -DNAME='"two\nlines"'
+breaks 'name is "\xff", expected' -DNAME='"\xff"'
 breaks 'name is "a23456789012345678901234567890123", expected' -DNAME='"a23456789012345678901234567890123"'
 breaks 'contract is NULL' -DABI=1 -DCONTRACT=NULL
 breaks 'contract: expected one line' -DABI=1 -DCONTRACT='"two\nlines"'

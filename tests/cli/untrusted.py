@@ -347,8 +347,7 @@ def try_plugin(library):
         for command in (("fuzz", "--method", "faulty", "--family", "affine", "--count", "100", "--keep", "1", "--out", "found"),
                         ("replay", "found/counterexamples.jsonl"), ("shrink", "found/counterexamples.jsonl"),
                         ("classify", "--method", "faulty", "--in", "found/counterexamples.jsonl"),
-                        ("check", "found/counterexamples.jsonl", "--method", "faulty"), ("report", "found", "--out", "found/page.html"),
-                        ("certify", "--method", "faulty", "--out", "found/certificate") if isolate else ("methods",)):
+                        ("check", "found/counterexamples.jsonl", "--method", "faulty"), ("report", "found", "--out", "found/page.html"), ("methods",)):
             plugin = [] if command[0] == "report" else ["--plugin", library, *isolate]
             run("what a plugin throws", *command, *plugin, out="found")
 
@@ -360,5 +359,5 @@ if __name__ == "__main__":
     try_results(results)
     every = 1
     try_plugin(library)
-    print(f"tried {runs}, broke {len(problems)}")
+    print(f"tried {runs}, broke {len(problems)}: runs with untrusted text in one field")
     sys.exit(1 if problems else 0)

@@ -9,7 +9,9 @@ ulimit -c 0
 ${CXX:-c++} -std=c++17 -O1 -shared -fPIC -I "$SOURCE_DIR" -DFAULT=throws_markup -o markup.so "$SOURCE_DIR/tests/plugin/faulty.cpp"
 expect 1 fuzz --method mt-float --count 2000 --keep 1 --out fuzzed
 expect 0 sweep --method mt-float --axis sliver --count 200 --out swept
-/usr/bin/python3 "$SOURCE_DIR/tests/cli/untrusted.py" 13 "$TRIBUNAL" ./markup.so fuzzed swept
+# A record without a key: an error while a line of the page is made, which ended in a destructor of another type.
+mkdir cut && sed 's/"easiest"/"x"/' swept/sweep.json >cut/sweep.json
+expect 3 report cut --out page.html && says err 'not as `sweep` is written' && [ "$(wc -l <err)" -eq 1 ]
 
 # A byte-order mark at the start of a file is no part of it, for every reader; elsewhere in it, it is an error.
 mark=$(printf '\xef\xbb\xbf')
@@ -36,3 +38,5 @@ done
 expect 0 judge --cases case.jsonl --answers answer.jsonl --out judged
 { printf %s "$mark"; cat judged/log.jsonl; } >log && mv log judged/log.jsonl
 expect 3 verify judged && says err 'log.jsonl:1: not a line as it was written'
+
+/usr/bin/python3 "$SOURCE_DIR/tests/cli/untrusted.py" "${EVERY:-61}" "$TRIBUNAL" ./markup.so fuzzed swept

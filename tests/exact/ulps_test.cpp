@@ -8,11 +8,11 @@
 
 #include "exact/base/output.h"
 #include "exact/cases/family_table.h"
+#include "exact/certificate/judge_files.h"
 #include "exact/certificate/verify.h"
 #include "exact/methods/methods.h"
 #include "exact/record/checkpoint.h"
 #include "exact/record/errors_json.h"
-#include "exact/record/judge_answers.h"
 #include "exact/trial/exact_hit.h"
 #include "tests/exact/certificate_support.h"
 #include "tests/exact/exact_parameter.h"
@@ -260,27 +260,25 @@ TEST_F(ErrorsInCertificates, OfAnswersFromAFile) {
                                   "\n"
                                   R"({"id":"b","ray":{"o":[5,5,3],"d":[0,0,-1]},"tri":[[0,0,0],[1,0,0],[0,1,0]]})"
                                   "\n");
-  const auto sheet_of = [&](const std::string& of_a) {
+  const auto judged = [&](const std::string& of_a) {
     write_file(file("answers.jsonl"), "{\"id\":\"a\",\"hit\":1" + of_a + "}\n{\"id\":\"b\",\"hit\":0}\n");
-    return read_answers(file("answers.jsonl"), read_exam(file("cases.jsonl"), 1)).front();
+    const Rereadable cases(file("cases.jsonl")), answers(file("answers.jsonl"));
+    return std::move(judge_files(cases, answers, {}, 1).methods.front());
   };
-  const AnswerSheet sheet = sheet_of(R"(,"t":3.0000000000000004,"weights":[0.25,"0x1p-2"])");
-  const Exam exam = read_exam(file("cases.jsonl"), 1);
+  const JudgedAnswers answers = judged(R"(,"t":3.0000000000000004,"weights":[0.25,"0x1p-2"])");
   ChainedLog log;
-  const Method method = method_of(sheet, {});
-  log_plan(log, method, Operands::triangles, "the cases of a file", 0);
-  log_own_cases(log, method, exam.cases, exam.truths,
-                {[&](std::size_t i) { return sheet.answers[i]; }, [&](std::size_t i) { return sheet.numbers[i]; }});
+  log_plan(log, answers.method, Operands::triangles, "the cases of a file", 0);
+  log_own_cases(log, answers.method, answers.counts);
   const Certificate c = write_certificate(directory_, log);
   ASSERT_EQ(c.errors.size(), 1U);
   EXPECT_EQ(c.errors[0].errors.hits, 1U);
   EXPECT_EQ(c.errors[0].errors.t.most, 1);
   EXPECT_EQ(c.errors[0].errors.weights.equal, 2U);
   EXPECT_TRUE(verify(directory_).faults.empty());
-  EXPECT_FALSE(sheet_of("").gives_numbers());
-  EXPECT_TRUE(std::isnan(sheet_of(R"(,"t":"nan")").numbers[0]->t));
-  EXPECT_THROW(sheet_of(R"(,"weights":[0.25,0.25])"), Failure) << "without t";
-  EXPECT_THROW(sheet_of(R"(,"t":3,"weights":[0.25])"), Failure);
+  EXPECT_FALSE(judged("").counts.gives_numbers);
+  EXPECT_EQ(judged(R"(,"t":"nan")").counts.parts[0].errors.t.not_finite, 1U);
+  EXPECT_THROW(judged(R"(,"weights":[0.25,0.25])"), Failure) << "without t";
+  EXPECT_THROW(judged(R"(,"t":3,"weights":[0.25])"), Failure);
 }
 
 }  // namespace

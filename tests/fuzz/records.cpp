@@ -8,7 +8,6 @@
 #include "exact/certificate/owed.h"
 #include "exact/methods/methods.h"
 #include "exact/record/checkpoint.h"
-#include "exact/record/judge_answers.h"
 #include "tests/fuzz/memory_file.h"
 #include "tests/fuzz/targets.h"
 
@@ -29,17 +28,6 @@ std::string sealed(std::string_view text) {
     begin = end + 1;
   }
   return log.finish();
-}
-
-const Exam& exam() {
-  static const Exam three = [] {
-    const MemoryFile file(R"({"id":"a","seg":[[0,0,-1],[0,0,1]],"tri":[[0,0,0],[1,0,0],[0,1,0]]}
-{"id":"b","ray":{"o":[0.25,0.25,-1],"d":[0,0,1]},"tri":[[0,0,0],[1,0,0],[0,1,0]]}
-{"id":"c","seg":[[5,5,-1],[5,5,1]],"rings":[[[0,0,0],[1,0,0],[0,1,0]]]}
-)");
-    return read_exam(file.path(), 1);
-  }();
-  return three;
 }
 
 /// A plan of few cases, of a method that answers exactly and of one that is wrong here and there.
@@ -70,15 +58,6 @@ const std::string& directory() {
 }
 
 }  // namespace
-
-void answers(std::string_view bytes) {
-  const MemoryFile file(bytes);
-  accepts([&] {
-    for (const AnswerSheet& sheet : read_answers(file.path(), exam())) {
-      demand(sheet.answers.size() == exam().cases.size(), "a case without an answer");
-    }
-  });
-}
 
 void log(std::string_view bytes) {
   const MemoryFile file(sealed(bytes));

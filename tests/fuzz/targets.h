@@ -38,7 +38,7 @@ void obj(std::string_view bytes);
 void ply(std::string_view bytes);
 void stl(std::string_view bytes);
 void cases(std::string_view bytes);       ///< a case file
-void answers(std::string_view bytes);     ///< answers to three cases, as `judge` reads them
+void answers(std::string_view bytes);     ///< a file of answers
 void scene(std::string_view bytes);       ///< without files that it names
 void solid(std::string_view bytes);       ///< a solid's own file
 void chain(std::string_view bytes);       ///< a log as it stands in a file
@@ -49,13 +49,12 @@ void query(std::string_view bytes);       ///< a probe and a target, asked of th
 struct Target {
   const char* name;  ///< of the program, and of its folder in data/corpora
   void (*run)(std::string_view bytes);
-  bool of_records;  ///< needs what makes and judges cases, beside the readers
 };
 
 inline constexpr Target targets[] = {
-    {"off", off, false},     {"obj", obj, false},        {"ply", ply, false},     {"stl", stl, false},
-    {"cases", cases, false}, {"scene", scene, false},    {"solid", solid, false}, {"query", query, false},
-    {"chain", chain, false}, {"answers", answers, true}, {"log", log, true},      {"checkpoint", checkpoint, true},
+    {"off", off},     {"obj", obj},         {"ply", ply},     {"stl", stl},
+    {"cases", cases}, {"answers", answers}, {"scene", scene}, {"solid", solid},
+    {"chain", chain}, {"query", query},     {"log", log},     {"checkpoint", checkpoint},
 };
 
 }  // namespace tribunal::fuzzing

@@ -10,8 +10,8 @@
 #include "exact/base/output.h"
 #include "exact/certificate/certificate.h"
 #include "exact/certificate/certify.h"
+#include "exact/certificate/judge_files.h"
 #include "exact/cli/command.h"
-#include "exact/record/judge_answers.h"
 #include "tracer/cli/command.h"
 #include "tracer/cli/judge_mesh.h"
 
@@ -79,16 +79,12 @@ Contract contract_of(const Options& o, bool any_bounds) {
           .culling = o.culls ? Culling::back_faces : Culling::none};
 }
 
-/// The log of a trial that consists of these cases and answers. It is about triangles if there are any.
-ChainedLog log_of(const Exam& exam, const AnswerSheet& sheet, const Contract& contract) {
-  const Method method = method_of(sheet, contract);
-  const bool triangles =
-      std::ranges::any_of(exam.cases, [](const Case& c) { return c.query.operands() == Operands::triangles; });
+/// The log of a trial that consists of these answers. It is about triangles if there are any.
+ChainedLog log_of(const Judgement& judgement, const JudgedAnswers& answers) {
   ChainedLog log;
-  log_plan(log, method, triangles ? Operands::triangles : Operands::polygons, "the cases of a file", 0);
-  Given given{.answer = [&](std::size_t i) { return sheet.answers[i]; }};
-  if (sheet.gives_numbers()) given.numbers = [&](std::size_t i) { return sheet.numbers[i]; };
-  log_own_cases(log, method, exam.cases, exam.truths, given);
+  const Operands operands = judgement.any_triangles ? Operands::triangles : Operands::polygons;
+  log_plan(log, answers.method, operands, "the cases of a file", 0);
+  log_own_cases(log, answers.method, answers.counts);
   return log;
 }
 
@@ -116,16 +112,17 @@ std::string write_report(const std::string& out, std::vector<ChainedLog>& logs, 
 int run_cases(const Options& o) {
   if (o.cases == "-" && o.mesh.answers == "-")
     throw Failure(Exit::usage, "--cases and --answers are both standard input");
-  const Exam exam = read_exam(o.cases, o.mesh.trial.threads);
-  const Contract contract =
-      contract_of(o, std::ranges::any_of(exam.cases, [](const Case& c) { return c.query.bounds.has_value(); }));
+  const Rereadable cases(o.cases), answers(o.mesh.answers);
+  Judgement judgement = judge_files(cases, answers, contract_of(o, true), o.mesh.trial.threads);
   std::vector<ChainedLog> logs;
   std::vector<Certificate> all;
   std::string text;
   Count sum;
   std::uint64_t answered = 0, nonfinite = 0;
-  for (const AnswerSheet& sheet : read_answers(o.mesh.answers, exam)) {
-    logs.push_back(log_of(exam, sheet, contract));
+  for (JudgedAnswers& of_method : judgement.methods) {
+    of_method.method.contract = contract_of(o, judgement.any_bounds);
+    logs.push_back(log_of(judgement, of_method));
+    of_method.counts = {};
     all.push_back(certificate_from(logs.back().so_far()));
     sum += all.back().own();
     answered += all.back().all_nonfinite().answered;
