@@ -18,7 +18,7 @@
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
 #include "exact/base/interrupt.h"
-#include "exact/base/json.h"
+#include "exact/base/record.h"
 #include "exact/base/shown.h"
 
 namespace tribunal {
@@ -107,8 +107,8 @@ class Script {
 /// Pictures take texts as they are, and no record of ours holds one that would steer them.
 void require_plain_texts(const Json& value, const Where& where) {
   for (const auto& item : value.items()) {
-    const bool plain = shows_as_it_is(item.key()) &&
-                       (!item.value().is_string() || shows_as_it_is(item.value().get_ref<const std::string&>()));
+    const bool plain =
+        shows_as_it_is(item.key()) && (!item.value().is_string() || shows_as_it_is(Record(item.value(), where).text()));
     if (!plain) where.fail("a text with a character that does not show, expected none in what this version writes");
     if (item.value().is_structured()) require_plain_texts(item.value(), where);
   }

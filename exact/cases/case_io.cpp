@@ -8,6 +8,7 @@
 #include "exact/base/failure.h"
 #include "exact/base/foreign_json.h"
 #include "exact/base/lines.h"
+#include "exact/base/record.h"
 #include "exact/cases/case_line.h"
 #include "exact/cases/case_scan.h"
 #include "exact/classes/class_table.h"
@@ -15,11 +16,7 @@
 namespace tribunal {
 namespace {
 
-std::string to_text(const Json& object, const char* key, const Where& where) {
-  const Json& value = require(object, key, where);
-  if (!value.is_string()) where.key(key).fail("expected a string");
-  return value.get<std::string>();
-}
+std::string to_text(const Json& object, const char* key, const Where& where) { return Record(object, where).text(key); }
 
 Format to_format(const Json& object, const Where& where) {
   if (!object.contains("fmt")) return Format::binary64;
@@ -78,7 +75,7 @@ Bounds to_bounds(const Json& value, Format format, const Where& where) {
   if (!value.is_array() || value.size() != 2) where.fail("expected two numbers, tmin and tmax");
   Bounds bounds{.tmin = to_any_number(value[0], format, where.index(0)),
                 .tmax = to_any_number(value[1], format, where.index(1))};
-  const bool unbounded = bounds.tmax > 0 && value[1].is_string() && is_word(value[1].get_ref<const std::string&>());
+  const bool unbounded = bounds.tmax > 0 && value[1].is_string() && is_word(Record(value[1], where.index(1)).text());
   if (std::isinf(bounds.tmax) && !unbounded) bounds.tmax = std::numeric_limits<double>::quiet_NaN();
   if (!is_finite(bounds)) return bounds;
   if (bounds.tmin < 0) where.index(0).fail("expected tmin >= 0");

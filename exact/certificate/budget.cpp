@@ -81,11 +81,13 @@ Json budget_record(const Budget& b) {
           {"full_scope", b.full_scope}, {"rounds", b.rounds}, {"relation_cases", b.relation_cases}};
 }
 
-/// Older logs have no relations, and do not say how many cases these are checked on.
-Budget to_budget(const Json& record, const Where& where) {
-  return {string_of(record, "budget", where), number_of(record, "cases_per_class", where),
-          truth_value_of(record, "full_scope", where), number_of(record, "rounds", where),
-          record.contains("relation_cases") ? number_of(record, "relation_cases", where) : 0};
+/// Older logs have no relations, and do not say how many cases these are checked on. The numbers are so small that no
+/// product of the plan overflows.
+Budget to_budget(const Record& record) {
+  constexpr std::uint64_t most = std::uint64_t{1} << 32;
+  record.keys({"record", "budget", "cases_per_class", "full_scope", "rounds", "relation_cases"});
+  return {record.text("budget"), record.count("cases_per_class", most), record.truth("full_scope"),
+          record.count("rounds", most), record.count_or("relation_cases", 0, most)};
 }
 
 FuzzPlan relation_plan(const Budget& budget, std::uint64_t seed, Operands operands) {

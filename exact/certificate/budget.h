@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "exact/base/json.h"
+#include "exact/base/record.h"
 #include "exact/certificate/small_scope.h"
 #include "exact/trial/fuzz.h"
 
@@ -55,7 +55,7 @@ Json relation_record(const FuzzPlan& plan, std::size_t r, Format format, bool of
 
 /// The record "budget": what the budget asks for, in numbers.
 Json budget_record(const Budget& budget);
-Budget to_budget(const Json& record, const Where& where);
+Budget to_budget(const Record& record);
 
 /// The cases on which a trial with this budget and seed checks the relations; without a method.
 FuzzPlan relation_plan(const Budget& budget, std::uint64_t seed, Operands operands);

@@ -2,126 +2,241 @@
 #include "exact/certificate/certificate.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
+#include <tuple>
 
 #include "exact/base/output.h"
+#include "exact/cases/case_io.h"
+#include "exact/certificate/budget.h"
 #include "exact/classes/class_table.h"
 #include "exact/record/contract_json.h"
+#include "exact/record/counterexample.h"
 #include "exact/record/errors_json.h"
 
 namespace tribunal {
 namespace {
 
-ProvedSet to_set(const Json& r, const Where& where) {
-  const std::string probes = string_of(r, "probes", where);
-  if (probes != "segment" && probes != "ray") where.key("probes").fail("expected \"segment\" or \"ray\"");
-  return {.name = string_of(r, "set", where),
-          .oracles = string_of(r, "judged_by", where),
-          .answers_hash = string_of(r, "answers_hash", where),
-          .of_rays = probes == "ray",
-          .size = number_of(r, "size", where),
-          .classes = number_of(r, "classes", where),
-          .complete = truth_value_of(r, "complete", where),
-          .count = to_count(require(r, "count", where), where.key("count"))};
+/// Whether the record's probes are rays.
+bool has_rays(const Record& r) { return one_of<bool>(r.member("probes"), {{"segment", false}, {"ray", true}}); }
+
+/// FNV-1a as log_plan's sets have it: sixteen digits.
+std::string hash_in(const Record& r) {
+  std::string hash = r.text("answers_hash");
+  if (hash.size() != 16 || hash.find_first_not_of("0123456789abcdef") != std::string::npos) {
+    r.fail_at("answers_hash", "expected 16 hexadecimal digits");
+  }
+  return hash;
 }
 
-RelationRow to_relation(const Json& r, const Where& where) {
-  const std::string probes = string_of(r, "probes", where);
-  if (probes != "segment" && probes != "ray") where.key("probes").fail("expected \"segment\" or \"ray\"");
-  RelationRow row{.name = string_of(r, "relation", where),
-                  .statement = string_of(r, "statement", where),
-                  .format = format_of(r, where),
-                  .of_rays = probes == "ray",
-                  .cases = number_of(r, "cases", where),
-                  .asked = number_of(r, "asked", where),
-                  .broken = number_of(r, "broken", where),
-                  .faults = number_of(r, "faults", where)};
-  if (row.broken > row.asked || row.asked > row.cases || row.faults > row.cases - row.asked) {
-    where.fail("counts that cannot be");
-  }
+ProvedSet to_set(const Record& r) {
+  r.keys({"record", "set", "probes", "size", "judged_by", "classes", "answers_hash", "complete", "count", "operands"});
+  ProvedSet set{.name = r.text("set"),
+                .oracles = r.text("judged_by"),
+                .answers_hash = hash_in(r),
+                .of_rays = has_rays(r),
+                .size = r.count("size"),
+                .classes = r.count("classes", r.count("size")),
+                .complete = r.truth("complete"),
+                .count = to_count(r.member("count"))};
+  if (set.count.asked > set.size) r.fail_at("count", "more cases than the set has");
+  return set;
+}
+
+RelationRow to_relation(const Record& r) {
+  r.keys({"record", "relation", "statement", "fmt", "probes", "cases", "operands", "asked", "broken", "faults", "first",
+          "witness"});
+  RelationRow row{.name = r.text("relation"),
+                  .statement = r.text("statement"),
+                  .format = format_of(r),
+                  .of_rays = has_rays(r),
+                  .cases = r.count("cases")};
+  row.asked = r.count("asked", row.cases);
+  row.broken = r.count("broken", row.asked);
+  row.faults = r.count("faults", row.cases - row.asked);
   if (row.broken == 0) return row;
-  row.first = number_of(r, "first", where);
-  const Json& witness = require(r, "witness", where);
-  if (!witness.is_array()) where.key("witness").fail("expected an array");
-  row.witness.assign(witness.begin(), witness.end());
+  row.first = r.count("first");
+  for (const Record& query : r.items("witness")) {
+    to_case(query.json(), query.where());
+    row.witness.push_back(query.json());
+  }
   return row;
 }
 
-NonfiniteRow to_nonfinite(const Json& r, const Where& where) {
-  NonfiniteRow row{.format = format_of(r, where),
-                   .asked = number_of(r, "asked", where),
-                   .refused = number_of(r, "refused", where),
-                   .answered = number_of(r, "answered", where)};
-  if (row.refused > row.asked || row.answered > row.asked - row.refused) where.fail("counts that cannot be");
-  if (row.answered > 0) row.first = string_of(r, "first", where);
+NonfiniteRow to_nonfinite(const Record& r) {
+  r.keys({"record", "fmt", "asked", "refused", "answered", "first"});
+  NonfiniteRow row{.format = format_of(r), .asked = r.count("asked")};
+  row.refused = r.count("refused", row.asked);
+  row.answered = r.count("answered", row.asked - row.refused);
+  if (row.answered > 0) row.first = r.text("first");
   return row;
 }
 
 /// The operands of a record: triangles, unless it says otherwise.
-Operands operands_in(const Json& r, const Where& where) {
-  if (!r.contains("operands")) return Operands::triangles;
-  if (string_of(r, "operands", where) != "polygons") where.key("operands").fail("expected \"polygons\" or no such key");
-  return Operands::polygons;
+Operands operands_in(const Record& r) {
+  const auto given = r.find("operands");
+  return given ? one_of<Operands>(*given, {{"polygons", Operands::polygons}}) : Operands::triangles;
 }
 
-SampledStream to_stream(const Json& r, const Where& where) {
-  return {.family = string_of(r, "family", where),
-          .format = format_of(r, where),
-          .axis = string_of(r, "axis", where),
-          .population = string_of(r, "population", where),
-          .judged_by = string_of(r, "judged_by", where),
-          .aims_at_classes = truth_value_of(r, "aims_at_classes", where),
-          .taken = truth_value_of(r, "taken", where),
-          .cases = number_of(r, "cases", where),
-          .operands = operands_in(r, where)};
+SampledStream to_stream(const Record& r) {
+  r.keys({"record", "family", "fmt", "axis", "population", "judged_by", "aims_at_classes", "first_cases", "taken",
+          "cases", "operands"});
+  return {.family = r.text("family"),
+          .format = format_of(r),
+          .axis = r.text("axis"),
+          .population = r.text("population"),
+          .judged_by = r.text("judged_by"),
+          .aims_at_classes = r.truth("aims_at_classes"),
+          .taken = r.truth("taken"),
+          .cases = r.count("cases"),
+          .operands = operands_in(r)};
 }
 
-std::vector<Stage> to_stages(const Json& plan, const Where& where) {
+std::vector<Stage> to_stages(const Record& plan) {
   std::vector<Stage> stages;
-  for (const Json& name : require(plan, "stages", where)) {
-    const auto stage = name.is_string() ? stage_named(name.get_ref<const std::string&>()) : std::nullopt;
-    if (stage) stages.push_back(*stage);
+  for (const Record& name : plan.items("stages")) {
+    const std::optional<Stage> stage = stage_named(name.text());
+    if (!stage) name.fail("unknown stage");
+    if (std::ranges::find(stages, *stage) != stages.end()) name.fail("the same stage twice");
+    stages.push_back(*stage);
   }
-  if (stages.size() != plan["stages"].size()) where.key("stages").fail("unknown stage");
   return stages;
 }
 
-void read(Certificate& c, const Json& r, const Where& where) {
-  const std::string kind = string_of(r, "record", where);
-  if (kind == "plan") {
-    for (const char* key : {"method", "budget"}) string_of(r, key, where);
-    if (r.contains("version")) number_of(r, "version", where);
-    c.plan = r;
-    c.contract = to_contract(require(r, "terms", where), where.key("terms"));
-    c.stages = to_stages(r, where);
-    operands_in(r, where);
-  } else if (kind == "environment") {
-    c.environment = r;
-  } else if (kind == "budget") {
-    c.budget = r;
-  } else if (kind == "set") {
-    c.proved.push_back(to_set(r, where));
-  } else if (kind == "relation") {
-    c.relations.push_back(to_relation(r, where));
-  } else if (kind == "stream") {
-    c.streams.push_back(to_stream(r, where));
-  } else if (kind == "sample") {
-    const SampleRow row = to_sample_row(r, where);
-    if (c.plan.is_object() && row.method == c.method()) {
-      c.rows.push_back(row);
-    } else {
-      c.calibration[row.method].of(row.format) += total_of(row);
-    }
-  } else if (kind == "errors") {
-    c.errors.push_back({string_of(r, "family", where), format_of(r, where), to_errors(r, where)});
-  } else if (kind == "nonfinite") {
-    c.nonfinite.push_back(to_nonfinite(r, where));
-  } else if (kind == "counterexample") {
-    c.counterexamples.push_back(require(r, "case", where));
-  } else {
-    where.fail("unknown record \"" + kind + "\"");
-  }
+/// A case as it will stand in counterexamples.jsonl. What its finding says is judged by `verify`.
+const Json& counterexample_in(const Record& r) {
+  r.keys({"record", "case"});
+  const Record line = r.member("case");
+  const Case c = to_case(line.json(), line.where());
+  const Record finding = line.member("finding");
+  rank_of(c, finding.where());
+  finding.text_or("fault", "");
+  return line.json();
 }
+
+/// Reads the records of a log, of which the first are the plan, what it was made with, and its budget if it has one.
+/// What is counted must fit what it is counted of: sets, streams and relations come before what refers to them.
+class LogReader {
+ public:
+  LogReader(Certificate& c, const LogRecords& log) : c_(c) {
+    if (log.size() < 2) Where{log.path}.fail("missing the plan or the environment");
+    read_plan(log[0]);
+    read_environment(log[1]);
+    for (std::size_t i = 2; i < log.size(); ++i) read(log[i], i);
+  }
+
+ private:
+  void read_plan(const Record& r) {
+    if (r.text("record") != "plan") r.fail_at("record", "expected \"plan\", the first record");
+    r.keys({"record", "method", "number", "reference", "terms", "stages", "budget", "seed", "version", "operands"});
+    for (const char* key : {"method", "number", "reference", "budget"}) r.text(key);
+    r.whole("seed");
+    if (r.has("version")) {
+      const std::int64_t version = r.integer("version", 1, std::numeric_limits<std::int64_t>::max());
+      if (version > static_cast<std::int64_t>(log_version)) {
+        r.fail_at("version", "expected at most " + std::to_string(log_version) + ": the log is of a newer program");
+      }
+    }
+    operands_in(r);
+    c_.plan = r.json();
+    c_.contract = to_contract(r.member("terms"));
+    c_.stages = to_stages(r);
+  }
+
+  void read_environment(const Record& r) {
+    if (r.text("record") != "environment") r.fail_at("record", "expected \"environment\", the second record");
+    for (const auto& [key, value] : r.members()) value.text();
+    c_.environment = r.json();
+  }
+
+  void read(const Record& r, std::size_t i) {
+    const std::string kind = r.text("record");
+    if (kind == "budget") {
+      if (i != 2) r.fail("expected the budget once, after the environment");
+      to_budget(r);
+      c_.budget = r.json();
+    } else if (kind == "set") {
+      c_.proved.push_back(to_set(r));
+    } else if (kind == "relation") {
+      c_.relations.push_back(to_relation(r));
+    } else if (kind == "stream") {
+      read_stream(r);
+    } else if (kind == "sample") {
+      read_sample(r);
+    } else if (kind == "errors") {
+      read_errors(r);
+    } else if (kind == "nonfinite") {
+      c_.nonfinite.push_back(to_nonfinite(r));
+    } else if (kind == "counterexample") {
+      c_.counterexamples.push_back(counterexample_in(r));
+    } else {
+      r.fail_at("record", "unknown record \"" + kind + "\"");
+    }
+  }
+
+  void read_stream(const Record& r) {
+    SampledStream stream = to_stream(r);
+    for (const SampledStream& s : c_.streams) {
+      if (s.family == stream.family && s.format == stream.format && s.operands == stream.operands) {
+        r.fail("a second record of this stream");
+      }
+    }
+    if (total_ > Record::most_count - stream.cases) r.fail_at("cases", "more cases than can be counted");
+    total_ += stream.cases;
+    c_.streams.push_back(std::move(stream));
+  }
+
+  /// The stream that a record is about. Triangles and polygons may have one family name: one's own cases.
+  const SampledStream& stream_of(const Record& r, const std::string& family, Format format, Operands operands) const {
+    for (const SampledStream& s : c_.streams) {
+      if (s.family == family && s.format == format && s.operands == operands) return s;
+    }
+    r.fail("of a stream that is not in the log before it: " + family + " " + std::string(tribunal::name_of(format)));
+  }
+
+  void read_sample(const Record& r) {
+    SampleRow row = to_sample_row(r);
+    for (const Operands operands : {Operands::triangles, Operands::polygons}) {
+      std::uint64_t asked = 0;
+      bool any = false;
+      for (const auto& [slot, count] : row.counts) {
+        if (operands_of(slot) != operands) continue;
+        any = true;
+        if (count.asked > Record::most_count - asked) r.fail_at("counts", "more cases than can be counted");
+        asked += count.asked;
+      }
+      if (!any) continue;
+      const SampledStream& stream = stream_of(r, row.family, row.format, operands);
+      std::uint64_t& so_far = asked_[{row.method, row.family, row.format, operands}];
+      if (asked > stream.cases - std::min(so_far, stream.cases)) {
+        r.fail_at("counts",
+                  "more cases of " + row.method + " than the " + std::to_string(stream.cases) + " of the stream");
+      }
+      so_far += asked;
+    }
+    if (row.method == c_.method()) {
+      c_.rows.push_back(std::move(row));
+    } else {
+      c_.calibration[row.method].of(row.format) += total_of(row);
+    }
+  }
+
+  void read_errors(const Record& r) {
+    r.keys({"record", "method", "family", "fmt", "hits", "withheld", "t", "weights"});
+    if (r.text("method") != c_.method()) r.fail_at("method", "expected " + c_.method() + ", the plan's");
+    ErrorRow row{r.text("family"), format_of(r), to_errors(r)};
+    const SampledStream& stream = stream_of(r, row.family, row.format, Operands::triangles);
+    if (row.errors.hits > stream.cases) r.fail_at("hits", "more than the stream has cases");
+    for (const ErrorRow& e : c_.errors) {
+      if (e.family == row.family && e.format == row.format) r.fail("a second record of this stream");
+    }
+    c_.errors.push_back(std::move(row));
+  }
+
+  Certificate& c_;
+  std::uint64_t total_ = 0;  ///< cases of all streams
+  std::map<std::tuple<std::string, std::string, Format, Operands>, std::uint64_t> asked_{};
+};
 
 /// Whether the row counts cases of the stream. Triangles and polygons may have one family name (one's own cases), but
 /// have different slots.
@@ -312,6 +427,12 @@ std::string name_of(Verdict v) {
   return names[static_cast<int>(v)];
 }
 
+std::string Certificate::method() const { return Record(plan, {"log.jsonl"}).text("method"); }
+
+std::uint64_t Certificate::seed() const { return Record(plan, {"log.jsonl"}).whole("seed"); }
+
+std::uint64_t Certificate::version() const { return Record(plan, {"log.jsonl"}).count_or("version", 1); }
+
 Operands Certificate::operands() const { return plan.contains("operands") ? Operands::polygons : Operands::triangles; }
 
 std::size_t Certificate::sampled_strata() const {
@@ -320,7 +441,7 @@ std::size_t Certificate::sampled_strata() const {
 
 std::string Certificate::word_of(Stage stage) const {
   const auto at = std::ranges::find(stages, stage) - stages.begin();
-  return plan.at("stages").at(static_cast<std::size_t>(at));
+  return Record(plan, {"log.jsonl"}).items("stages").at(static_cast<std::size_t>(at)).text();
 }
 
 bool Certificate::has_own() const {
@@ -385,11 +506,10 @@ std::string Certificate::worst() const {
   return text;
 }
 
-Certificate certificate_from(const LogRecords& log, const std::string& path) {
+Certificate certificate_from(const LogRecords& log) {
   Certificate c{};
   c.log_head = log.head;
-  for (std::size_t i = 0; i < log.records.size(); ++i) read(c, log.records[i], {path, i + 1});
-  if (!c.plan.is_object() || !c.environment.is_object()) Where{path}.fail("missing the plan or the environment");
+  LogReader(c, log);
   add_strata(c);
   add_coverage(c);
   add_set_gaps(c);
@@ -412,7 +532,7 @@ std::string counterexample_lines(const Certificate& c) {
 Certificate write_certificate(const std::string& directory, ChainedLog& log) {
   OutputSet set;
   const std::string text = log.finish();
-  const Certificate c = certificate_from(log.so_far(), directory + "/log.jsonl");
+  const Certificate c = certificate_from(log.so_far());
   set.add(directory + "/log.jsonl", text);
   set.add(directory + "/counterexamples.jsonl", counterexample_lines(c));
   set.add(directory + "/certificate.md", to_markdown(c));

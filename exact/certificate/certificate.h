@@ -121,7 +121,8 @@ struct Certificate {
   std::vector<Gap> gaps;
   Verdict verdict = Verdict::incomplete;
 
-  std::string method() const { return plan.at("method"); }
+  std::string method() const;
+  std::uint64_t seed() const;
   std::string word_of(Stage stage) const;  ///< the log's own word, one of `stages`
   Operands operands() const;               ///< the operands that the plan is about
   bool is_own(const Stratum& s) const { return streams[s.stream].is_own(); }
@@ -135,8 +136,8 @@ struct Certificate {
   Count sampled(Format) const;
   Count own() const;  ///< one's own cases
   Count own(Format) const;
+  std::uint64_t version() const;       ///< of the log
   NonfiniteRow all_nonfinite() const;  ///< of both formats
-  std::uint64_t version() const { return plan.value("version", std::uint64_t{1}); }
   /// Whether the log says what wrong answers are.
   bool says_outcomes() const { return version() >= 2; }
   /// The relations that the method broke, each once.
@@ -145,8 +146,8 @@ struct Certificate {
   std::string worst() const;
 };
 
-/// Fails with Exit::bad_input, naming the line of `path`, if a record is not as it must be.
-Certificate certificate_from(const LogRecords& log, const std::string& path);
+/// Fails with Exit::bad_input, naming the line of the log, if a record is not as it must be.
+Certificate certificate_from(const LogRecords& log);
 
 Json to_json(const Certificate& c);
 

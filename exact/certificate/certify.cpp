@@ -67,7 +67,7 @@ class Simplest {
  public:
   /// `slot`: of the case before it was shrunk, which shrinking keeps.
   void offer(Slot slot, Case c) {
-    const auto [entry, fresh] = simplest_.try_emplace({slot, c.finding.value("fault", "")}, c);
+    const auto [entry, fresh] = simplest_.try_emplace({slot, Record(c.finding, {c.id}).text_or("fault", "")}, c);
     if (!fresh && is_preferable(c, entry->second)) entry->second = c;
   }
   /// Together with other cases.

@@ -1,7 +1,10 @@
 #include "exact/certificate/owed.h"
 
 #include <algorithm>
+#include <set>
+#include <tuple>
 
+#include "exact/cases/family_table.h"
 #include "exact/certificate/certify.h"
 #include "exact/methods/methods.h"
 
@@ -43,29 +46,63 @@ void require_sets(Debts& debts, const Certificate& c, const Owed& owed) {
   }
 }
 
-bool is_own(const Json& stream) { return stream.value("family", "") == own_cases; }
+std::string kind_of(const Record& r) { return r.text("record"); }
 
-std::string name_of_stream(const Json& r) { return r.value("family", "") + " " + r.value("fmt", ""); }
+bool is_own(const Record& r) { return r.text("family") == own_cases; }
+
+std::string name_of_stream(const Record& r) { return r.text("family") + " " + r.text("fmt"); }
 
 /// Older logs were judged by all oracles, but for what constructions say: that is more than is owed now.
-bool is_judged_by_more(const Json& stream) {
-  const std::string by = stream.value("judged_by", "");
+bool is_judged_by_more(const Record& stream) {
+  const std::string by = stream.text("judged_by");
   return by == "construction, 1 case in 257 also by the other oracles" || by == oracles_of(Operands::triangles);
+}
+
+/// The record of a stream as it is owed: without "taken", and judged by no more than is owed.
+Json as_owed(const Record& stream, const Json& owed) {
+  Json record = stream.json();
+  record.erase("taken");
+  if (is_judged_by_more(stream)) record["judged_by"] = owed["judged_by"];
+  return record;
 }
 
 /// The streams owed must come first, in order; those of the user's own meshes and cases may follow.
 void require_streams(Debts& debts, const LogRecords& log, const Owed& owed) {
-  std::vector<Json> logged;
-  for (const Json& r : log.records) {
-    if (r.value("record", "") == "stream" && !is_own(r)) logged.push_back(r);
+  std::vector<Record> logged;
+  for (std::size_t i = 0; i < log.size(); ++i) {
+    if (kind_of(log[i]) == "stream" && !is_own(log[i])) logged.push_back(log[i]);
   }
   for (std::size_t i = 0; i < owed.streams.size(); ++i) {
-    Json found = i < logged.size() ? logged[i] : Json::object();
-    found.erase("taken");
-    if (is_judged_by_more(found)) found["judged_by"] = owed.streams[i]["judged_by"];
-    debts.unless(found == owed.streams[i],
-                 "the stream " + name_of_stream(owed.streams[i]) + " is not as budget and seed owe it");
+    debts.unless(
+        i < logged.size() && as_owed(logged[i], owed.streams[i]) == owed.streams[i],
+        "the stream " + name_of_stream({owed.streams[i], {"what is owed"}}) + " is not as budget and seed owe it");
   }
+}
+
+/// Each count must be of a level that its family has; of families that this program does not know nothing is said.
+void require_levels(Debts& debts, const Certificate& c, const LogRecords& log) {
+  std::set<std::tuple<std::string, std::string, Format, std::size_t>> seen;
+  for (std::size_t i = 0; i < log.size(); ++i) {
+    if (kind_of(log[i]) != "sample") continue;
+    const SampleRow row = to_sample_row(log[i]);
+    const std::string whose = row.method + " on " + row.family + " " + std::string(name_of(row.format));
+    // One's own cases of triangles and of polygons have a record each.
+    const bool once = seen.emplace(row.method, row.family, row.format, row.level).second || row.family == own_cases;
+    debts.unless(once, "the counts of " + whose + " at one level stand twice");
+    const Family* const family = find_family(row.family);
+    if (family == nullptr || c.version() < log_version) continue;
+    const auto levels = family->levels(row.format);
+    debts.unless(row.level < levels.size() && levels[row.level] == row.stress,
+                 "the counts of " + whose + " are at a level that the family does not have");
+  }
+}
+
+/// What the log says of a method that this program has must be so. Contracts of older logs may have changed.
+void require_terms(Debts& debts, const Certificate& c) {
+  const Method* const method = find_method(c.method());
+  if (method == nullptr || c.version() < log_version || c.proved.empty()) return;
+  debts.unless(c.contract == method->contract, "the terms are not the contract of " + method->name);
+  debts.unless(std::ranges::equal(c.stages, method->stages), "the stages are not those of " + method->name);
 }
 
 /// The record without what was counted.
@@ -76,8 +113,8 @@ Json uncounted(Json record) {
 
 void require_relations(Debts& debts, const LogRecords& log, const Owed& owed) {
   std::vector<Json> logged;
-  for (const Json& r : log.records) {
-    if (r.value("record", "") == "relation") logged.push_back(uncounted(r));
+  for (std::size_t i = 0; i < log.size(); ++i) {
+    if (kind_of(log[i]) == "relation") logged.push_back(uncounted(log[i].json()));
   }
   debts.unless(logged == owed.relations, "the relations are not those that budget and seed owe");
 }
@@ -121,19 +158,21 @@ void require_calibration(Debts& debts, const Certificate& c) {
 
 }  // namespace
 
-std::vector<std::string> debts_of(const Certificate& c, const LogRecords& log, const std::string& path) {
+std::vector<std::string> debts_of(const Certificate& c, const LogRecords& log) {
   Debts debts;
   const bool sampled = std::ranges::any_of(c.streams, [](const SampledStream& s) { return !s.is_own(); });
   if (!c.budget.is_object()) {
     debts.unless(c.proved.empty() && !sampled, "the log has sets or streams, and does not say what its budget owes");
     return std::move(debts).faults();
   }
-  const Budget budget = to_budget(c.budget, {path});
-  debts.unless(is_as_named(budget, c.version()) && c.plan.at("budget") == budget.name,
+  const Budget budget = to_budget({c.budget, {log.path, 3}});
+  debts.unless(is_as_named(budget, c.version()) && c.plan["budget"] == budget.name,
                "the budget \"" + budget.name + "\" has other numbers");
-  const Owed owed = owed_by(budget, number_of(c.plan, "seed", {path}), c.operands());
+  const Owed owed = owed_by(budget, c.seed(), c.operands());
   require_sets(debts, c, owed);
   require_streams(debts, log, owed);
+  require_levels(debts, c, log);
+  require_terms(debts, c);
   if (c.version() >= 3) require_relations(debts, log, owed);
   if (c.version() >= 3) require_errors(debts, c);
   require_taken(debts, c);

@@ -10,6 +10,6 @@ namespace tribunal {
 
 /// One line for each thing that is missing, changed or not due: sets, streams, numbers of cases, calibration, budget.
 /// A log that `judge` wrote owes nothing.
-std::vector<std::string> debts_of(const Certificate& c, const LogRecords& log, const std::string& path);
+std::vector<std::string> debts_of(const Certificate& c, const LogRecords& log);
 
 }  // namespace tribunal

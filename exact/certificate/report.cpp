@@ -136,7 +136,8 @@ std::string calibration_list(const Certificate& c) {
 std::string environment_list(const Certificate& c) {
   std::string text;
   const Json made_with = environment_json(c);
-  for (const auto& item : made_with.items()) text += "- " + item.key() + ": " + item.value().get<std::string>() + "\n";
+  for (const auto& [key, value] : Record(made_with, {"log.jsonl"}).members())
+    text += "- " + key + ": " + value.text() + "\n";
   return text;
 }
 
@@ -170,14 +171,12 @@ std::string nonfinite_section(const Certificate& c) {
 
 const char* coverage_word(const Certificate& c) { return c.coverage.has(Operands::polygons) ? "Polygons" : "Classes"; }
 
-std::string word(const Certificate& c, const char* key) { return c.plan[key]; }
-
 std::string markdown_of(const Certificate& c) {
   std::string text =
       "# " + c.method() + ": " + name_of(c.verdict) + (c.says_outcomes() ? "; " + c.worst() : "") + "\n\n";
   text += "Contract: " + in_words(c.contract) + ". Convention: " + std::string(name_of(c.contract.convention)) +
-          ". Budget " + word(c, "budget") + ", seed " + c.plan["seed"].dump() + ". " + coverage_word(c) +
-          " judged: " + coverage_text(c) + ".\n\n";
+          ". Budget " + Record(c.plan, {"log.jsonl"}).text("budget") + ", seed " + std::to_string(c.seed()) + ". " +
+          coverage_word(c) + " judged: " + coverage_text(c) + ".\n\n";
   if (!faults_in(c).empty()) text += "It is no function of its input, or fails:\n\n" + fault_lines(c, "- ") + "\n";
   if (!c.proved.empty()) text += "## Proved: sets run whole\n\n" + proved_table(c) + "\n";
   if (!c.relations.empty()) text += relations_section(c);

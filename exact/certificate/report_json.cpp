@@ -176,8 +176,8 @@ Json environment_json(const Certificate& c) {
 std::map<std::string, std::size_t> faults_in(const Certificate& c) {
   std::map<std::string, std::size_t> faults;
   for (const Json& line : c.counterexamples) {
-    const Json finding = line.value("finding", Json::object());
-    if (finding.contains("fault")) ++faults[finding["fault"].get<std::string>()];
+    const Record finding = Record(line, {"log.jsonl"}).member("finding");
+    if (finding.has("fault")) ++faults[finding.text("fault")];
   }
   return faults;
 }

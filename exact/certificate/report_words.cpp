@@ -35,9 +35,9 @@ Certificate with_texts(const Certificate& c, std::string (*door)(std::string_vie
   for (const auto& [method, counts] : c.calibration) shown.calibration[door(method)] = counts;
   shown.counterexamples.clear();
   for (const Json& line : c.counterexamples) {
-    const Json finding = line.value("finding", Json::object());
-    Json kept = Json::object();
-    if (finding.contains("fault")) kept["finding"]["fault"] = with_strings(finding["fault"], door);
+    const Record finding = Record(line, {"log.jsonl"}).member("finding");
+    Json kept = {{"finding", Json::object()}};
+    if (finding.has("fault")) kept["finding"]["fault"] = door(finding.text("fault"));
     shown.counterexamples.push_back(std::move(kept));
   }
   return shown;

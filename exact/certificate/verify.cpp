@@ -20,36 +20,53 @@ void compare(Verification& v, const std::string& path, const std::string& due) {
   if (read_file(path) != due) v.faults.push_back(path + " is not what the log gives");
 }
 
+/// The member as 0 or 1; -1 if it is missing.
+int answer_in(const Record& finding, std::string_view key) {
+  return finding.has(key) ? static_cast<int>(finding.count(key, 1)) : -1;
+}
+
 /// What it answered is wrong as the finding says: the other answer, or a wrong contact of a hit; or no answer.
-bool is_wrong_as_said(const Json& finding, const Truth& truth) {
-  const Due owed = due(readings_in(finding, {"log.jsonl"}), truth);
-  const int expected = owed == Due::hit ? 1 : 0, answered = finding.value("answered", -1);
-  if (finding.value("expected", -1) != expected) return false;
-  if (finding.contains("fault")) return answered == -1;
+bool is_wrong_as_said(const Record& finding, const Truth& truth) {
+  const Due owed = due(readings_in(finding), truth);
+  const int expected = owed == Due::hit ? 1 : 0, answered = answer_in(finding, "answered");
+  if (answer_in(finding, "expected") != expected) return false;
+  if (finding.has("fault")) return answered == -1;
   if (owed == Due::nothing) return false;
-  if (finding.value("outcome", "") != name_of(Outcome::wrong_contact)) return answered == 1 - expected;
-  return answered == expected && (finding.value("contact_told", "") != name_of(truth.contact) ||
-                                  finding.value("planar_told", truth.planar) != truth.planar);
+  if (finding.text_or("outcome", "") != name_of(Outcome::wrong_contact)) return answered == 1 - expected;
+  return answered == expected && (finding.text_or("contact_told", "") != name_of(truth.contact) ||
+                                  finding.truth_or("planar_told", truth.planar) != truth.planar);
 }
 
 /// Older findings do not say how bad they are.
-bool is_as_bad_as_said(const Json& finding, const Query& query, const Truth& truth) {
-  return !finding.contains("severity") || finding["severity"] == name_of(severity_of(query, truth));
+bool is_as_bad_as_said(const Record& finding, const Query& query, const Truth& truth) {
+  return !finding.has("severity") || finding.text("severity") == name_of(severity_of(query, truth));
 }
 
-bool is_counterexample(const Case& c) {
+bool has_exact_evidence(const Record& finding, const Query& query) {
+  const auto evidence = finding.find("exact");
+  return evidence && evidence->json() == exact_evidence(query);
+}
+
+bool is_counterexample(const Case& c, const Record& finding) {
   const Truth truth = exact_truth(c.query);
-  return mistaken_claim(c, truth).empty() && is_wrong_as_said(c.finding, truth) &&
-         is_as_bad_as_said(c.finding, c.query, truth) && c.finding.value("exact", Json()) == exact_evidence(c.query);
+  return mistaken_claim(c, truth).empty() && is_wrong_as_said(finding, truth) &&
+         is_as_bad_as_said(finding, c.query, truth) && has_exact_evidence(finding, c.query);
 }
 
-/// Confirms a counterexample by the oracles alone; the method is not asked.
-void confirm(Verification& v, const Json& line) {
-  const Case c = to_case(line, {"log.jsonl"});
-  if (is_counterexample(c)) {
+/// Confirms the log's counterexample by the oracles alone; the method is not asked.
+void confirm(Verification& v, const Record& record) {
+  const Record line = record.member("case");
+  const Case c = to_case(line.json(), line.where());
+  if (is_counterexample(c, line.member("finding"))) {
     ++v.confirmed;
   } else {
     v.faults.push_back("counterexample " + c.id + " is none");
+  }
+}
+
+void confirm_counterexamples(Verification& v, const LogRecords& log) {
+  for (std::size_t i = 0; i < log.size(); ++i) {
+    if (log[i].text("record") == "counterexample") confirm(v, log[i]);
   }
 }
 
@@ -100,37 +117,37 @@ void confirm(Verification& v, const FuzzPlan& plan, const RelationRow& row) {
 void confirm_relations(Verification& v) {
   const Certificate& c = v.certificate;
   if (c.relations.empty() || !c.budget.is_object()) return;
-  const FuzzPlan plan =
-      relation_plan(to_budget(c.budget, {"log.jsonl"}), number_of(c.plan, "seed", {"log.jsonl"}), c.operands());
+  const FuzzPlan plan = relation_plan(to_budget({c.budget, {"log.jsonl"}}), c.seed(), c.operands());
   for (const RelationRow& row : c.relations) {
     if (row.broken > 0) confirm(v, plan, row);
   }
 }
 
 /// The records that a rerun must give again, in the log's order.
-std::vector<Json> answers_in(const LogRecords& log) {
-  std::vector<Json> records;
-  for (const Json& r : log.records) {
-    const std::string kind = r.value("record", "");
-    const bool own = r.value("family", "") == own_cases;
+std::vector<Record> answers_in(const LogRecords& log) {
+  std::vector<Record> records;
+  for (std::size_t i = 0; i < log.size(); ++i) {
+    const Record r = log[i];
+    const std::string kind = r.text("record");
+    const bool own = r.text_or("family", "") == own_cases;
     if (kind == "set" || kind == "relation" || (!own && (kind == "stream" || kind == "sample" || kind == "errors")))
       records.push_back(r);
   }
   return records;
 }
 
-std::string what_it_counts(const Json& record) {
+std::string what_it_counts(const Record& record) {
   for (const char* key : {"set", "relation", "family"}) {
-    if (record.contains(key)) return record[key];
+    if (record.has(key)) return record.text(key);
   }
-  return record.value("record", "");
+  return record.text("record");
 }
 
 ChainedLog run_again(const Method& method, const Certificate& c, unsigned threads) {
   CertifyPlan plan{.method = method,
                    .operands = c.operands(),
-                   .budget = to_budget(c.budget, {"log.jsonl"}),
-                   .seed = number_of(c.plan, "seed", {"log.jsonl"}),
+                   .budget = to_budget({c.budget, {"log.jsonl"}}),
+                   .seed = c.seed(),
                    .threads = threads};
   return certify(plan);
 }
@@ -144,13 +161,13 @@ void rerun_all(Verification& v, const LogRecords& log, unsigned threads) {
     return;
   }
   const ChainedLog again = run_again(*method, c, threads);
-  const std::vector<Json> due = answers_in(again.so_far()), logged = answers_in(log);
+  const std::vector<Record> due = answers_in(again.so_far()), logged = answers_in(log);
   if (due.size() != logged.size())
     v.faults.push_back("run again, the trial has other records (a mesh is not run again)");
   for (std::size_t i = 0; i < std::min(due.size(), logged.size()); ++i) {
-    if (due[i].contains("size")) v.rerun += number_of(due[i], "size", {"log.jsonl"});
-    if (due[i]["record"] == "stream") v.rerun += number_of(due[i], "cases", {"log.jsonl"});
-    if (due[i] == logged[i]) continue;
+    if (due[i].has("size")) v.rerun += due[i].count("size");
+    if (due[i].text("record") == "stream") v.rerun += due[i].count("cases");
+    if (due[i].json() == logged[i].json()) continue;
     v.faults.push_back("run again, " + what_it_counts(due[i]) + " gives other counts");
   }
 }
@@ -160,12 +177,12 @@ void rerun_all(Verification& v, const LogRecords& log, unsigned threads) {
 Verification verify(const std::string& directory, unsigned rerun) {
   const std::string path = directory + "/log.jsonl";
   const LogRecords log = read_log(path);
-  Verification v{certificate_from(log, path)};
+  Verification v{certificate_from(log)};
   compare(v, directory + "/certificate.json", to_json(v.certificate).dump(1) + "\n");
   compare(v, directory + "/certificate.md", to_markdown(v.certificate));
   compare(v, directory + "/counterexamples.jsonl", counterexample_lines(v.certificate));
-  for (const std::string& debt : debts_of(v.certificate, log, path)) v.faults.push_back(debt);
-  for (const Json& line : v.certificate.counterexamples) confirm(v, line);
+  for (const std::string& debt : debts_of(v.certificate, log)) v.faults.push_back(debt);
+  confirm_counterexamples(v, log);
   confirm_relations(v);
   ask_again(v);
   if (rerun > 0 && v.faults.empty()) rerun_all(v, log, rerun);

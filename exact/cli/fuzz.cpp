@@ -9,6 +9,7 @@
 #include "exact/base/interrupt.h"
 #include "exact/base/output.h"
 #include "exact/base/progress.h"
+#include "exact/base/record.h"
 #include "exact/cases/own/family.h"
 #include "exact/cli/command.h"
 #include "exact/cli/fuzz_relations.h"
@@ -305,10 +306,10 @@ FuzzReport run_plan(const Options& o, const FuzzPlan& plan) {
 }
 
 /// "mine.jsonl, 12 cases; left out: 1 of polygons"
-std::string in_words(const Json& file) {
-  const std::string text = file["file"].get<std::string>() + ", " + std::to_string(file["items"].get<std::size_t>()) +
-                           " used, SHA-256 " + file["sha256"].get<std::string>().substr(0, 16) + "…";
-  return file.contains("left_out") ? text + "; not used: " + file["left_out"].get<std::string>() : text;
+std::string in_words(const Record& file) {
+  const std::string text = file.text("file") + ", " + std::to_string(file.count("items")) + " used, SHA-256 " +
+                           file.text("sha256").substr(0, 16) + "…";
+  return file.has("left_out") ? text + "; not used: " + file.text("left_out") : text;
 }
 
 std::string totals(const FuzzPlan& plan, const FuzzReport& report) {
@@ -318,9 +319,8 @@ std::string totals(const FuzzPlan& plan, const FuzzReport& report) {
             compact(static_cast<double>(report.run_here) / report.seconds) + "/s";
   }
   text += "\n";
-  for (const Json& file : data_of(plan)) {
-    text += file["family"].get<std::string>() + ": " + in_words(file) + "\n";
-  }
+  const Json data = data_of(plan);
+  for (const Record& file : Record(data, {"data"}).items()) text += file.text("family") + ": " + in_words(file) + "\n";
   return text + "judged by " + judged_by(plan, report) + "\n";
 }
 

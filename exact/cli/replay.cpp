@@ -3,6 +3,7 @@
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
 #include "exact/base/output.h"
+#include "exact/base/record.h"
 #include "exact/base/shown.h"
 #include "exact/cli/command.h"
 #include "exact/methods/methods.h"
@@ -37,7 +38,8 @@ int run_replay(const ReplayOptions& o) {
 
 /// The method that a case is a counterexample to: named in its finding, or given.
 const Method& method_of(const Case& c, const std::string& given, const std::string& file) {
-  const std::string name = !given.empty() ? given : c.finding.is_object() ? c.finding.value("method", "") : "";
+  const Record finding(c.finding, {file, 0, c.id + ".finding"});
+  const std::string name = !given.empty() ? given : c.finding.is_null() ? "" : finding.text_or("method", "");
   if (name.empty()) throw Failure(Exit::usage, file + ": " + shown(c.id) + " names no method, expected --method");
   const Method* method = find_method(name);
   if (method == nullptr)

@@ -5,8 +5,8 @@
 
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
-#include "exact/base/json.h"
 #include "exact/base/output.h"
+#include "exact/base/record.h"
 #include "exact/cli/command.h"
 #include "exact/report/classes.h"
 
@@ -21,11 +21,12 @@ struct Options {
 /// What the page says first, and what it does not show.
 std::string in_words(const Json& report, const std::string& out) {
   std::string text;
-  for (const Json& line : report["verdicts"]) {
-    const std::string detail = line["detail"];
-    text += line["text"].get<std::string>() + (detail.empty() ? "" : "; " + detail) + "\n";
+  const Record all(report, {out});
+  for (const Record& line : all.items("verdicts")) {
+    const std::string detail = line.text("detail");
+    text += (line.text("text") + (detail.empty() ? "" : "; " + detail)) + "\n";
   }
-  for (const Json& what : report["left_out"]) text += "left out: " + what.get<std::string>() + "\n";
+  for (const Record& what : all.items("left_out")) text += "left out: " + (what.text()) + "\n";
   return text + "\n" + std::to_string(report["runs"].size()) + " results, " + std::to_string(report["cases"].size()) +
          " cases; open " + out + "\n";
 }

@@ -7,6 +7,7 @@
 #include "exact/base/interrupt.h"
 #include "exact/base/json.h"
 #include "exact/base/parallel.h"
+#include "exact/cases/case_io.h"
 #include "exact/cases/case_line.h"
 #include "exact/cases/family_table.h"
 #include "exact/certificate/rate.h"
@@ -133,7 +134,7 @@ Json to_json(const ComparePlan& plan, const std::vector<BuildRow>& rows) {
                 {"changed", r.changed},
                 {"spoiled", r.spoiled},
                 {"mended", r.mended}};
-    if (r.witness) row["witness"] = Json::parse(case_line(plan.methods[r.method], r.witness->query));
+    if (r.witness) row["witness"] = from_case({.id = plan.methods[r.method], .query = r.witness->query});
     table.push_back(row);
   }
   return {{"axis", "compiler"}, {"seed", plan.seed}, {"cases_of_each_format", plan.cases},

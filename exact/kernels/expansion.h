@@ -46,7 +46,7 @@ inline Rounded exact_product(double a, double b) {
   return {p, x.error * y.error - without_middle};
 }
 
-/// Room for up to `capacity` terms, with the interface of std::vector that Expansion needs. Copies what is there.
+/// Room for up to `capacity` terms, with the interface of std::vector that ExactExpansion needs. Copies what is there.
 template <std::size_t capacity>
 class FixedTerms {
  public:
@@ -77,27 +77,27 @@ class FixedTerms {
 /// SCALE-EXPANSION (theorem 19); both keep terms strongly nonoverlapping, and zeros are left out, which changes
 /// neither.
 template <class Terms>
-class Expansion {
+class ExactExpansion {
  public:
-  Expansion() = default;
-  explicit Expansion(double x) { append(x); }
+  ExactExpansion() = default;
+  explicit ExactExpansion(double x) { append(x); }
 
-  friend Expansion operator+(const Expansion& e, const Expansion& f) { return sum(e, f, 1); }
-  friend Expansion operator-(const Expansion& e, const Expansion& f) { return sum(e, f, -1); }
-  friend Expansion operator-(const Expansion& e) { return sum({}, e, -1); }
+  friend ExactExpansion operator+(const ExactExpansion& e, const ExactExpansion& f) { return sum(e, f, 1); }
+  friend ExactExpansion operator-(const ExactExpansion& e, const ExactExpansion& f) { return sum(e, f, -1); }
+  friend ExactExpansion operator-(const ExactExpansion& e) { return sum({}, e, -1); }
 
   /// One scaled copy of the longer factor for each term of the shorter.
-  friend Expansion operator*(const Expansion& e, const Expansion& f) {
+  friend ExactExpansion operator*(const ExactExpansion& e, const ExactExpansion& f) {
     const bool e_is_longer = e.size() > f.size();
-    const Expansion& longer = e_is_longer ? e : f;
-    const Expansion& shorter = e_is_longer ? f : e;
+    const ExactExpansion& longer = e_is_longer ? e : f;
+    const ExactExpansion& shorter = e_is_longer ? f : e;
     if (shorter.size() == 0) return {};
-    Expansion product = longer.times(shorter.terms_[0]);
+    ExactExpansion product = longer.times(shorter.terms_[0]);
     for (std::size_t i = 1; i < shorter.size(); ++i) product = product + longer.times(shorter.terms_[i]);
     return product;
   }
 
-  friend Sign sign_of(const Expansion& e) { return e.terms_.empty() ? Sign::zero : sign_of(e.terms_.back()); }
+  friend Sign sign_of(const ExactExpansion& e) { return e.terms_.empty() ? Sign::zero : sign_of(e.terms_.back()); }
 
   std::size_t size() const { return terms_.size(); }
   const Terms& terms() const { return terms_; }
@@ -105,7 +105,7 @@ class Expansion {
   /// The same number in fewer terms, as a rule as few as it takes: two sweeps of exact sums, from the largest term
   /// down and up again (the paper's COMPRESS, theorem 23).
   template <class Other>
-  Expansion<Other> compressed() const {
+  ExactExpansion<Other> compressed() const {
     std::vector<double> kept;
     double carried = 0;
     for (std::size_t i = size(); i-- > 0;) {
@@ -113,7 +113,7 @@ class Expansion {
       if (s.error != 0) kept.push_back(s.result);
       carried = s.error != 0 ? s.error : s.result;
     }
-    Expansion<Other> e;
+    ExactExpansion<Other> e;
     for (std::size_t i = kept.size(); i-- > 0;) {
       const Rounded s = exact_sum(kept[i], carried);
       e.append(s.error);
@@ -131,8 +131,8 @@ class Expansion {
  private:
   /// e + factor·f, where factor is 1 or −1: the terms of both, merged by magnitude, are added one after the other, and
   /// what each sum rounds away is a term.
-  static Expansion sum(const Expansion& e, const Expansion& f, double factor) {
-    Expansion result;
+  static ExactExpansion sum(const ExactExpansion& e, const ExactExpansion& f, double factor) {
+    ExactExpansion result;
     double carried = 0;
     std::size_t i = 0, j = 0;
     while (i < e.size() || j < f.size()) {
@@ -146,8 +146,8 @@ class Expansion {
   }
 
   /// x times this, which has a term.
-  Expansion times(double x) const {
-    Expansion result;
+  ExactExpansion times(double x) const {
+    ExactExpansion result;
     const Rounded first = exact_product(terms_[0], x);
     result.append(first.error);
     double carried = first.result;
@@ -170,7 +170,7 @@ class Expansion {
 /// a difference 2·2·16 = 64, the sum of three 192.
 inline constexpr std::size_t most_terms_of_volume = 192;
 
-using VolumeExpansion = Expansion<FixedTerms<most_terms_of_volume>>;
-using LongExpansion = Expansion<std::vector<double>>;
+using VolumeExpansion = ExactExpansion<FixedTerms<most_terms_of_volume>>;
+using LongExpansion = ExactExpansion<std::vector<double>>;
 
 }  // namespace tribunal::detail

@@ -4,20 +4,14 @@
 
 #include "exact/base/fault.h"
 #include "exact/base/foreign_json.h"
-#include "exact/base/json.h"
+#include "exact/base/record.h"
 #include "exact/base/scan.h"
 #include "exact/base/shown.h"
 
 namespace tribunal {
 namespace {
 
-std::string text_at(const Json& object, const char* key, const Where& where) {
-  const Json& value = require(object, key, where);
-  if (!value.is_string() || value.get_ref<const std::string&>().empty()) {
-    where.key(key).fail("expected a string that is not empty");
-  }
-  return value.get<std::string>();
-}
+std::string text_at(const Json& object, const char* key, const Where& where) { return Record(object, where).name(key); }
 
 /// The fault of an answer with the status "failed", if the line names one.
 Status fault_at(const Json& object, const Where& where) {
@@ -54,7 +48,7 @@ std::optional<HitAt> numbers_at(const Json& object, const Where& where) {
     if (object.contains("weights")) where.key("weights").fail("given without \"t\"");
     return std::nullopt;
   }
-  if (object.value("hit", Json()) != 1) where.key("t").fail("given of what is no hit");
+  if (!object.contains("hit") || object["hit"] != 1) where.key("t").fail("given of what is no hit");
   HitAt at{.t = to_any_number(object["t"], Format::binary64, where.key("t"))};
   if (!object.contains("weights")) return at;
   const Json& weights = object["weights"];

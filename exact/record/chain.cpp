@@ -13,8 +13,7 @@ namespace {
 /// Removes the hash from a record and returns it; fails if the line is not the text that was hashed.
 std::string take_hash(Json& record, const std::string& line, const Where& where) {
   if (!record.is_object() || record.dump() != line) where.fail("not a line as it was written");
-  const Json hash = require(record, "sha256", where);
-  if (!hash.is_string()) where.fail("expected a hash in \"sha256\"");
+  std::string hash = Record(record, where).text("sha256");
   record.erase("sha256");
   return hash;
 }
@@ -38,7 +37,7 @@ void ChainedLog::add_counterexamples(const Spool& lines) {
     rest += piece;
     std::size_t begin = 0;
     for (std::size_t end; (end = rest.find('\n', begin)) != std::string::npos; begin = end + 1) {
-      add({{"record", "counterexample"}, {"case", Json::parse(rest.substr(begin, end - begin))}});
+      add({{"record", "counterexample"}, {"case", parse_json(rest.substr(begin, end - begin), {"counterexamples"})}});
     }
     rest.erase(0, begin);
   });
@@ -51,7 +50,7 @@ std::string ChainedLog::finish() {
 
 LogRecords read_log(const std::string& path) {
   std::istringstream lines(read_file(path));
-  LogRecords log{{}, std::string(64, '0')};
+  LogRecords log{{}, std::string(64, '0'), path};
   Where where{path};
   for (std::string line; std::getline(lines, line);) {
     ++where.line;

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "exact/base/json.h"
+#include "exact/base/record.h"
 #include "exact/base/spool.h"
 
 namespace tribunal {
@@ -13,6 +13,11 @@ namespace tribunal {
 struct LogRecords {
   std::vector<Json> records;
   std::string head;
+  std::string path{};  ///< of the file that they were read from
+
+  std::size_t size() const { return records.size(); }
+  /// Record i, which stands on line i + 1.
+  Record operator[](std::size_t i) const { return {records[i], {path, i + 1}}; }
 };
 
 /// JSON Lines. Each record ends with a member "sha256": the hash of the previous line's hash (64 zeros before the

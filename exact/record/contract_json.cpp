@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "exact/base/json.h"
-
 namespace tribunal {
 namespace {
 
@@ -18,21 +16,21 @@ constexpr std::array formats = {Format::binary32, Format::binary64};
 
 /// Sets `value` to the one that the word at the key names.
 template <class T, std::size_t n>
-void read(const Json& object, const char* key, const std::array<T, n>& values, const Where& where, T& value) {
-  const Json& word = require(object, key, where);
+void read(const Record& object, const char* key, const std::array<T, n>& values, T& value) {
+  const std::string word = object.text(key);
   for (const T v : values) {
     if (word == name_of(v)) {
       value = v;
       return;
     }
   }
-  where.key(key).fail("no word of a contract: " + word.dump());
+  object.fail_at(key, "no word of a contract: " + object.member(key).json().dump());
 }
 
 /// The same for a key that may be missing.
 template <class T, std::size_t n>
-void read_if_given(const Json& object, const char* key, const std::array<T, n>& values, const Where& where, T& value) {
-  if (object.contains(key)) read(object, key, values, where, value);
+void read_if_given(const Record& object, const char* key, const std::array<T, n>& values, T& value) {
+  if (object.has(key)) read(object, key, values, value);
 }
 
 Json from_probes(const Probes& probes) {
@@ -43,12 +41,15 @@ Json from_probes(const Probes& probes) {
   return names;
 }
 
-Probes to_probes(const Json& names, const Where& where) {
-  const auto has = [&](const char* name) { return std::ranges::find(names, Json(name)) != names.end(); };
-  if (!names.is_array() || names.size() != static_cast<std::size_t>(has("segment") + has("ray") + has("bounded ray"))) {
-    where.fail("expected a list of \"segment\", \"ray\" and \"bounded ray\"");
+Probes to_probes(const Record& names) {
+  Probes probes{.segments = false, .rays = false, .bounds = false};
+  for (const Record& name : names.items()) {
+    bool& given =
+        *one_of<bool*>(name, {{"segment", &probes.segments}, {"ray", &probes.rays}, {"bounded ray", &probes.bounds}});
+    if (given) name.fail("named twice");
+    given = true;
   }
-  return {.segments = has("segment"), .rays = has("ray"), .bounds = has("bounded ray")};
+  return probes;
 }
 
 }  // namespace
@@ -79,22 +80,21 @@ Json methods_json(std::span<const Method> methods) {
   return rows;
 }
 
-Contract to_contract(const Json& object, const Where& where) {
-  if (!object.is_object()) where.fail("expected an object");
+Contract to_contract(const Record& terms) {
+  terms.keys({"probes", "triangles", "polygons", "coplanar", "boundary", "polygon_boundary", "ends", "bounds",
+              "culling", "fmt", "exact"});
   Contract c;
-  c.probes = to_probes(require(object, "probes", where), where.key("probes"));
-  read(object, "triangles", all_triangles, where, c.triangles);
-  read(object, "polygons", all_polygons, where, c.polygons);
-  read(object, "coplanar", conventions, where, c.convention);
-  read(object, "boundary", boundaries, where, c.boundary);
-  read(object, "polygon_boundary", boundaries, where, c.polygon_boundary);
-  read(object, "ends", all_ends, where, c.ends);
-  read_if_given(object, "bounds", all_ends, where, c.bounds);  // older logs have none
-  read(object, "culling", cullings, where, c.culling);
-  read(object, "fmt", formats, where, c.format);
-  const Json& exact = require(object, "exact", where);
-  if (!exact.is_boolean()) where.key("exact").fail("expected true or false");
-  c.exact = exact;
+  c.probes = to_probes(terms.member("probes"));
+  read(terms, "triangles", all_triangles, c.triangles);
+  read(terms, "polygons", all_polygons, c.polygons);
+  read(terms, "coplanar", conventions, c.convention);
+  read(terms, "boundary", boundaries, c.boundary);
+  read(terms, "polygon_boundary", boundaries, c.polygon_boundary);
+  read(terms, "ends", all_ends, c.ends);
+  read_if_given(terms, "bounds", all_ends, c.bounds);  // older logs have none
+  read(terms, "culling", cullings, c.culling);
+  read(terms, "fmt", formats, c.format);
+  c.exact = terms.truth("exact");
   return c;
 }
 
@@ -110,16 +110,17 @@ void add_readings(Json& finding, const Contract& c) {
   if (!readings.empty()) finding["readings"] = readings;
 }
 
-Contract readings_in(const Json& finding, const Where& where) {
+Contract readings_in(const Record& finding) {
   Contract c{.probes = {.segments = true, .rays = true, .bounds = true}, .polygons = Polygons::any};
-  read_if_given(finding, "convention", conventions, where, c.convention);
-  if (!finding.contains("readings")) return c;
-  const Json& readings = finding["readings"];
-  read_if_given(readings, "boundary", boundaries, where.key("readings"), c.boundary);
-  read_if_given(readings, "polygon_boundary", boundaries, where.key("readings"), c.polygon_boundary);
-  read_if_given(readings, "ends", all_ends, where.key("readings"), c.ends);
-  read_if_given(readings, "bounds", all_ends, where.key("readings"), c.bounds);
-  read_if_given(readings, "culling", cullings, where.key("readings"), c.culling);
+  read_if_given(finding, "convention", conventions, c.convention);
+  const std::optional<Record> readings = finding.find("readings");
+  if (!readings) return c;
+  readings->keys({"boundary", "polygon_boundary", "ends", "bounds", "culling"});
+  read_if_given(*readings, "boundary", boundaries, c.boundary);
+  read_if_given(*readings, "polygon_boundary", boundaries, c.polygon_boundary);
+  read_if_given(*readings, "ends", all_ends, c.ends);
+  read_if_given(*readings, "bounds", all_ends, c.bounds);
+  read_if_given(*readings, "culling", cullings, c.culling);
   return c;
 }
 

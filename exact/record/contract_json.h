@@ -5,7 +5,7 @@
 
 #include "core/contract.h"
 #include "core/method.h"
-#include "exact/base/json_fwd.h"
+#include "exact/base/record.h"
 
 namespace tribunal {
 
@@ -16,13 +16,13 @@ Json from_contract(const Contract& c);
 Json methods_json(std::span<const Method> methods);
 
 /// Fails, naming the key, where a word is missing or unknown.
-Contract to_contract(const Json& object, const Where& where);
+Contract to_contract(const Record& terms);
 
 /// Adds to a finding how the contract reads contacts: "convention", and "readings" with those that differ from the
 /// default, if there are any.
 void add_readings(Json& finding, const Contract& c);
 
 /// A contract that takes all operands and reads contacts as the finding says.
-Contract readings_in(const Json& finding, const Where& where);
+Contract readings_in(const Record& finding);
 
 }  // namespace tribunal

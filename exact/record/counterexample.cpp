@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "exact/base/failure.h"
+#include "exact/base/record.h"
 #include "exact/base/shown.h"
 #include "exact/classes/class_table.h"
 #include "exact/methods/methods.h"
@@ -226,21 +227,27 @@ void ask_again(const FuzzPlan& plan, FuzzReport& report) {
   std::ranges::stable_sort(report.findings, {}, &Finding::rank);
 }
 
-Rank rank_of(const Case& c) {
-  const Json finding = c.finding.is_object() ? c.finding : Json::object();
+Rank rank_of(const Case& c, const Where& where) {
+  if (c.finding.is_null()) return {};
+  const Record finding(c.finding, where);
   Rank rank;
-  rank.contact_alone = finding.value("outcome", "") == name_of(Outcome::wrong_contact);
-  rank.naive_wrong = !finding.value("naive_right", false);
+  rank.contact_alone = finding.text_or("outcome", "") == name_of(Outcome::wrong_contact);
+  rank.naive_wrong = !finding.truth_or("naive_right", false);
+  const std::string severity = finding.text_or("severity", ""), cause = finding.text_or("cause", "");
   for (const Severity s : all_severities) {
-    if (finding.value("severity", "") == name_of(s)) rank.severity = s;
+    if (severity == name_of(s)) rank.severity = s;
   }
-  for (const Cause cause : {Cause::logic, Cause::rounding}) {
-    if (finding.value("cause", "") == name_of(cause)) rank.cause = cause;
+  for (const Cause known : {Cause::logic, Cause::rounding}) {
+    if (cause == name_of(known)) rank.cause = known;
   }
   return rank;
 }
 
-void sort_by_rank(std::vector<Case>& cases) { std::ranges::stable_sort(cases, {}, rank_of); }
+Rank rank_of(const Case& c) { return rank_of(c, {c.id, 0, "finding"}); }
+
+void sort_by_rank(std::vector<Case>& cases) {
+  std::ranges::stable_sort(cases, {}, [](const Case& c) { return rank_of(c); });
+}
 
 Case shrunk(Case c, const Method& method) {
   const Truth truth = exact_truth(c.query);
@@ -248,7 +255,7 @@ Case shrunk(Case c, const Method& method) {
   if (!seen.fault && !is_wrong(judge(method, truth, seen.answer))) {
     throw Failure(Exit::bad_input, shown(c.id) + ": " + method.name + " answers it rightly, expected a counterexample");
   }
-  const Json origin = c.finding.is_object() ? c.finding.value("origin", Json()) : Json();
+  const Json origin = c.finding.is_object() && c.finding.contains("origin") ? c.finding["origin"] : Json();
   c = seen.fault ? with_fault(std::move(c), method, truth, seen.fault) : with_shrunk_finding(std::move(c), method);
   if (!origin.is_null()) c.finding["origin"] = origin;
   return c;

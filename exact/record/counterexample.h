@@ -23,7 +23,9 @@ Case with_finding(Case c, const Method& method, const Truth& truth, const Answer
 /// The same, but the method is asked again, if it can be asked: a fault then replaces its answer.
 Case with_steady_finding(Case c, const Method& method, const Truth& truth, const Answer& answer);
 
-/// Where the case stands among others, by what its finding says.
+/// Where the case stands among others, by what its finding says; last if it has none. Fails with Exit::bad_input, for
+/// the finding at this place, where that says it in other words than `with_finding`.
+Rank rank_of(const Case& c, const Where& where);
 Rank rank_of(const Case& c);
 
 /// The worst first; cases of one rank keep their order.

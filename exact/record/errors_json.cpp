@@ -2,9 +2,6 @@
 
 #include <cmath>
 
-#include "exact/base/json.h"
-#include "exact/record/sample_row.h"
-
 namespace tribunal {
 namespace {
 
@@ -21,16 +18,10 @@ Json histogram_of(const Ulps& u) {
   return array;
 }
 
-std::uint64_t number_or_0(const Json& object, std::string_view key, const Where& where) {
-  return object.contains(key) ? number_of(object, key, where) : 0;
-}
-
-void read_histogram(Ulps& u, const Json& array, const Where& where) {
-  if (!array.is_array() || array.size() > u.up_to.size()) where.fail("expected an array of counts");
-  for (std::size_t i = 0; i < array.size(); ++i) {
-    if (!array[i].is_number_unsigned()) where.index(i).fail("expected a count");
-    u.up_to[i] = array[i];
-  }
+void read_histogram(Ulps& u, const Record& array) {
+  const std::vector<Record> counts = array.items();
+  if (counts.size() > u.up_to.size()) array.fail("expected at most " + std::to_string(u.up_to.size()) + " counts");
+  for (std::size_t i = 0; i < counts.size(); ++i) u.up_to[i] = counts[i].count();
 }
 
 /// The largest error lies in the last bin that counts one.
@@ -58,20 +49,16 @@ Json from_ulps(const Ulps& u) {
   return object;
 }
 
-Ulps to_ulps(const Json& object, const Where& where) {
-  require_keys(object, {"equal", "zeros", "zeros_missed", "not_finite", "beyond", "up_to", "most", "most_at"}, where);
+Ulps to_ulps(const Record& object) {
+  object.keys({"equal", "zeros", "zeros_missed", "not_finite", "beyond", "up_to", "most", "most_at"});
   Ulps u;
-  for (std::size_t i = 0; i < std::size(count_keys); ++i) {
-    u.*count_members[i] = number_or_0(object, count_keys[i], where);
+  for (std::size_t i = 0; i < std::size(count_keys); ++i) u.*count_members[i] = object.count_or(count_keys[i], 0);
+  if (const auto up_to = object.find("up_to")) {
+    read_histogram(u, *up_to);
+    u.most = object.number("most");
+    u.most_at = object.count("most_at");
   }
-  if (object.contains("up_to")) {
-    read_histogram(u, object["up_to"], where.key("up_to"));
-    const Json& most = require(object, "most", where);
-    if (!most.is_number()) where.key("most").fail("expected a number");
-    u.most = most;
-    u.most_at = number_of(object, "most_at", where);
-  }
-  if (!is_possible(u)) where.fail("errors that cannot be");
+  if (!is_possible(u)) object.fail("errors that cannot be");
   return u;
 }
 
@@ -83,12 +70,12 @@ Json from_errors(const HitErrors& e) {
   return object;
 }
 
-HitErrors to_errors(const Json& object, const Where& where) {
-  HitErrors e{.hits = number_of(object, "hits", where), .withheld = number_or_0(object, "withheld", where)};
-  if (object.contains("t")) e.t = to_ulps(object["t"], where.key("t"));
-  if (object.contains("weights")) e.weights = to_ulps(object["weights"], where.key("weights"));
+HitErrors to_errors(const Record& object) {
+  HitErrors e{.hits = object.count("hits"), .withheld = object.count_or("withheld", 0)};
+  if (const auto t = object.find("t")) e.t = to_ulps(*t);
+  if (const auto weights = object.find("weights")) e.weights = to_ulps(*weights);
   if (e.withheld > e.hits || e.t.all() != e.hits - e.withheld || e.weights.all() > 2 * e.hits) {
-    where.fail("more numbers, or fewer, than hits");
+    object.fail("more numbers, or fewer, than hits");
   }
   return e;
 }

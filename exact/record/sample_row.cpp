@@ -1,17 +1,16 @@
 #include "exact/record/sample_row.h"
 
 #include <array>
+#include <limits>
 #include <tuple>
 #include <utility>
-
-#include "exact/base/json.h"
 
 namespace tribunal {
 namespace {
 
-Slot to_slot(const std::string& name, const Where& where) {
+Slot to_slot(const std::string& name, const Record& counts) {
   const std::optional<Slot> slot = slot_named(name);
-  if (!slot) where.fail("expected a class C001 to C163, \"ray\" or a kind of polygon case, found \"" + name + "\"");
+  if (!slot) counts.fail("expected a class C001 to C163, \"ray\" or a kind of polygon case, found \"" + name + "\"");
   return *slot;
 }
 
@@ -37,6 +36,7 @@ Numbers numbers_of(const Count& c) {
           c.rounding};
 }
 
+/// No sum overflows: each number is at most Record::most_count.
 bool are_possible(const Numbers& n) {
   const bool answers = n[2] <= n[0] && n[1] <= n[0] - n[2] && n[3] + n[4] + n[5] <= n[0] - n[2];
   const std::uint64_t by_outcome = n[7] + n[8] + n[9] + n[10], by_severity = n[11] + n[12] + n[13];
@@ -69,14 +69,12 @@ Json to_array(const Count& count) {
   return array;
 }
 
-Count to_count(const Json& array, const Where& where) {
+Count to_count(const Record& array) {
   Numbers n{};
-  if (!array.is_array() || array.empty() || array.size() > n.size()) where.fail("expected one to sixteen counts");
-  for (std::size_t i = 0; i < array.size(); ++i) {
-    if (!array[i].is_number_unsigned()) where.index(i).fail("expected a count");
-    n[i] = array[i];
-  }
-  if (!are_possible(n)) where.fail("counts that cannot be: " + array.dump());
+  const std::vector<Record> given = array.items();
+  if (given.empty() || given.size() > n.size()) array.fail("expected one to sixteen counts");
+  for (std::size_t i = 0; i < given.size(); ++i) n[i] = given[i].count();
+  if (!are_possible(n)) array.fail("counts that cannot be: " + array.json().dump());
   return {.asked = n[0],
           .wrong = n[1],
           .unsupported = n[2],
@@ -103,43 +101,21 @@ Json to_record(const SampleRow& row) {
           {"level", row.level}, {"stress", row.stress}, {"counts", counts}};
 }
 
-std::string string_of(const Json& record, std::string_view key, const Where& where) {
-  const Json& value = require(record, key, where);
-  if (!value.is_string()) where.key(key).fail("expected a string");
-  return value;
+Format format_of(const Record& record) {
+  return one_of<Format>(record.member("fmt"), {{"binary32", Format::binary32}, {"binary64", Format::binary64}});
 }
 
-std::uint64_t number_of(const Json& record, std::string_view key, const Where& where) {
-  const Json& value = require(record, key, where);
-  if (!value.is_number_unsigned()) where.key(key).fail("expected a whole number");
-  return value;
-}
-
-bool truth_value_of(const Json& record, std::string_view key, const Where& where) {
-  const Json& value = require(record, key, where);
-  if (!value.is_boolean()) where.key(key).fail("expected true or false");
-  return value;
-}
-
-Format format_of(const Json& record, const Where& where) {
-  const std::string name = string_of(record, "fmt", where);
-  if (name == name_of(Format::binary32)) return Format::binary32;
-  if (name != name_of(Format::binary64)) where.key("fmt").fail("expected binary32 or binary64, found " + name);
-  return Format::binary64;
-}
-
-SampleRow to_sample_row(const Json& record, const Where& where) {
+SampleRow to_sample_row(const Record& record) {
+  record.keys({"record", "method", "family", "fmt", "level", "stress", "counts"});
   SampleRow row;
-  row.method = string_of(record, "method", where);
-  row.family = string_of(record, "family", where);
-  row.format = format_of(record, where);
-  row.level = number_of(record, "level", where);
-  const Json& stress = require(record, "stress", where);
-  if (!stress.is_number_integer()) where.key("stress").fail("expected an integer");
-  row.stress = stress;
-  for (const auto& item : require(record, "counts", where).items()) {
-    row.counts[to_slot(item.key(), where)] = to_count(item.value(), where.key(item.key()));
-  }
+  row.method = record.text("method");
+  row.family = record.text("family");
+  row.format = format_of(record);
+  row.level = record.count("level");
+  row.stress =
+      static_cast<int>(record.integer("stress", std::numeric_limits<int>::min(), std::numeric_limits<int>::max()));
+  const Record counts = record.member("counts");
+  for (const auto& [name, count] : counts.members()) row.counts[to_slot(name, counts)] = to_count(count);
   return row;
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "exact/base/json_fwd.h"
+#include "exact/base/record.h"
 #include "exact/trial/fuzz.h"
 
 namespace tribunal {
@@ -31,18 +31,15 @@ std::vector<SampleRow> rows_of(const FuzzPlan& plan, const FuzzReport& report);
 /// misses, wrong contacts, faults, plain, boundary, extreme, logic, rounding] without trailing zeros; what no stage
 /// answered came from a method without stages. Older logs end with `exact`: what their wrong answers are is not said.
 Json to_record(const SampleRow& row);
-SampleRow to_sample_row(const Json& record, const Where& where);
+SampleRow to_sample_row(const Record& record);
 
 Json to_array(const Count& count);
-Count to_count(const Json& array, const Where& where);
+Count to_count(const Record& array);
 
 /// What the wrong answers are, by words: "outcomes", "severity", "cause" and "refused".
 Json outcomes_of(const Count& count);
 
-/// A string, a whole number or a truth value of a record; fails if it is missing or of another type.
-std::string string_of(const Json& record, std::string_view key, const Where& where);
-std::uint64_t number_of(const Json& record, std::string_view key, const Where& where);
-bool truth_value_of(const Json& record, std::string_view key, const Where& where);
-Format format_of(const Json& record, const Where& where);
+/// The member "fmt".
+Format format_of(const Record& record);
 
 }  // namespace tribunal

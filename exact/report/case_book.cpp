@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "exact/base/files.h"
+#include "exact/base/record.h"
 #include "exact/record/counterexample.h"
 #include "exact/report/case_view.h"
 
@@ -25,7 +26,9 @@ auto group_of(const FoundCase& f) {
 }  // namespace
 
 std::string text_in(const Json& object, const char* key) {
-  return object.is_object() && object.contains(key) && object[key].is_string() ? object[key].get<std::string>() : "";
+  const Record record(object, {});
+  const bool has_text = object.is_object() && object.contains(key) && object[key].is_string();
+  return has_text ? record.text(key) : "";
 }
 
 std::vector<std::size_t> worst_and_most_diverse(const std::vector<FoundCase>& found, std::size_t most) {
@@ -45,7 +48,7 @@ std::vector<std::size_t> worst_and_most_diverse(const std::vector<FoundCase>& fo
 void CaseBook::read(std::size_t run, const std::string& file) {
   for_each_line_in(read_file(file), file, [&](const Json& object, const Where& where) {
     FoundCase found{run, file, where.line, to_case(object, where), {}};
-    found.rank = rank_of(found.c);
+    found.rank = rank_of(found.c, where.key("finding"));
     Json short_form = object;
     if (short_form.contains("finding")) short_form.erase("finding");
     if (short_form.dump().size() > longest_line || !is_finite(found.c.query)) {

@@ -12,128 +12,169 @@ namespace {
 constexpr std::size_t most_texts = 40;
 
 /// Gaps with one reason are one entry: unexplained ones first, and of each reason the first few strata by name.
-Json grouped(const Json& gaps) {
-  Json groups = Json::array();
+Json grouped(const std::vector<Record>& gaps) {
+  struct Group {
+    std::size_t strata = 0;
+    std::vector<std::string> what{};
+  };
   std::map<std::pair<bool, std::string>, std::size_t> index;
+  std::vector<Group> groups;
   for (const bool explained : {false, true}) {
-    for (const Json& gap : gaps) {
-      if (gap.value("explained", false) != explained) continue;
-      const std::string reason = gap.value("reason", "");
-      const auto [at, is_new] = index.emplace(std::pair(explained, reason), groups.size());
-      if (is_new) {
-        groups.push_back({{"reason", reason}, {"explained", explained}, {"strata", 0}, {"what", Json::array()}});
-      }
-      Json& group = groups[at->second];
-      group["strata"] = group["strata"].get<std::size_t>() + 1;
-      if (group["what"].size() < most_texts) group["what"].push_back(gap.value("what", ""));
+    for (const Record& gap : gaps) {
+      if (gap.truth_or("explained", false) != explained) continue;
+      const auto [at, is_new] = index.emplace(std::pair(explained, gap.text_or("reason", "")), groups.size());
+      if (is_new) groups.emplace_back();
+      Group& group = groups[at->second];
+      ++group.strata;
+      if (group.what.size() < most_texts) group.what.push_back(gap.text_or("what", ""));
     }
   }
-  return groups;
+  std::vector<Json> rows(groups.size());
+  for (const auto& [key, at] : index) {
+    rows[at] = {
+        {"reason", key.second}, {"explained", key.first}, {"strata", groups[at].strata}, {"what", groups[at].what}};
+  }
+  return rows;
 }
 
-/// Of the sampled rows, or of the user's own cases: what was judged and wrong in each format. The two are never added
-/// up: nothing can be estimated from cases that somebody chose.
-Json sums_of(const Json& rows) {
-  std::map<std::string, std::map<std::string, std::uint64_t>> sums;
-  for (const Json& row : rows) {
-    auto& sum = sums[row.at("fmt").get<std::string>()];
-    sum["judged"] += row.value("n", std::uint64_t{0});
-    sum["wrong"] += row.value("k", std::uint64_t{0});
-    for (const char* severity : {"plain", "boundary", "extreme"}) {
-      sum[severity] += row.value("severity", Json::object()).value(severity, std::uint64_t{0});
-    }
+/// What was judged and wrong in one format.
+struct Sum {
+  std::string fmt;
+  Figures figures{};
+};
+
+/// Of the sampled rows, or of the user's own cases: the sum of each format. The two are never added up: nothing can be
+/// estimated from cases that somebody chose.
+std::vector<Sum> sums_of(const std::vector<Record>& rows) {
+  std::map<std::string, Figures> sums;
+  for (const Record& row : rows) {
+    Figures& sum = sums[row.text("fmt")];
+    const std::uint64_t n = number_in(row, "n"), k = number_in(row, "k");
+    require_part(row, k, n, "k");
+    require_part(row, n, Record::most_count - sum.judged, "n in all");
+    sum.judged += n;
+    sum.wrong += k;
+    Figures severities;
+    if (const auto severity = row.find("severity")) severities.add_severities(*severity);
+    require_part(row, severities.plain + severities.boundary + severities.extreme, k, "severity");
+    sum.plain += severities.plain;
+    sum.boundary += severities.boundary;
+    sum.extreme += severities.extreme;
   }
+  std::vector<Sum> all;
+  for (const auto& [fmt, figures] : sums) all.push_back({fmt, figures});
+  return all;
+}
+
+Json to_json(const std::vector<Sum>& sums) {
   Json all = Json::array();
-  for (auto& [fmt, sum] : sums) {
-    const Rate rate = rate_of(sum["wrong"], sum["judged"]);
-    all.push_back({{"fmt", fmt},
+  for (const Sum& sum : sums) {
+    const Rate rate = rate_of(sum.figures.wrong, sum.figures.judged);
+    all.push_back({{"fmt", sum.fmt},
                    {"judged", rate.judged},
                    {"wrong", rate.wrong},
                    {"share", rate.share},
                    {"lower", rate.lower},
                    {"upper", rate.upper},
-                   {"plain", sum["plain"]},
-                   {"boundary", sum["boundary"]},
-                   {"extreme", sum["extreme"]}});
+                   {"plain", sum.figures.plain},
+                   {"boundary", sum.figures.boundary},
+                   {"extreme", sum.figures.extreme}});
   }
   return all;
 }
 
 /// Cases or a mesh of the user's own, whose files the record does not name.
-bool has_own_files(const Json& r) {
-  const auto is_own = [](const Json& stream) { return stream.value("family", "").starts_with("own-"); };
-  return r.contains("own_cases") || std::ranges::any_of(r.value("streams", Json::array()), is_own);
+bool has_own_files(const Record& r) {
+  const auto is_own = [](const Record& stream) { return stream.text_or("family", "").starts_with("own-"); };
+  return r.has("own_cases") || std::ranges::any_of(r.items_or_none("streams"), is_own);
 }
 
 /// The worst that the certificate says: of samples, own cases and whole sets. Wrong on a whole set of small integers,
 /// and nothing said of how bad, is a boundary at worst: the sets are degenerate in every way.
-Level level_of(const Json& r, const std::vector<Json>& sums) {
-  if (r.value("verdict", "") == "incomplete") return Level::incomplete;
-  if (r.value("verdict", "") != "refuted") return Level::nothing;
-  Json counts = {{"plain", 0}, {"boundary", 0}, {"extreme", 0}};
-  const auto add = [&](const char* key, std::uint64_t n) { counts[key] = counts[key].get<std::uint64_t>() + n; };
-  for (const Json& sum : sums) {
-    for (const char* key : {"plain", "boundary", "extreme"}) add(key, sum[key].get<std::uint64_t>());
+Level level_of(const Record& r, const std::vector<Sum>& sums) {
+  if (r.text_or("verdict", "") == "incomplete") return Level::incomplete;
+  if (r.text_or("verdict", "") != "refuted") return Level::nothing;
+  Figures figures;
+  for (const Sum& sum : sums) {
+    figures.plain += sum.figures.plain;
+    figures.boundary += sum.figures.boundary;
+    figures.extreme += sum.figures.extreme;
   }
-  for (const Json& set : r.value("proved", Json::array())) {
-    const Json count = set.value("count", Json::object());
-    const Json severity = count.value("severity", Json::object());
-    for (const char* key : {"plain", "boundary", "extreme"}) add(key, severity.value(key, std::uint64_t{0}));
-    if (severity.empty()) add("boundary", count.value("wrong", std::uint64_t{0}));
+  for (const Record& set : r.items_or_none("proved")) {
+    const auto count = set.find("count");
+    if (!count) continue;
+    const auto severity = count->find("severity");
+    if (severity) {
+      figures.add_severities(*severity);
+    } else {
+      figures.boundary += number_in(*count, "wrong");
+    }
   }
-  const Level level = worst_level(counts);
+  const Level level = worst_level(figures);
   return level == Level::nothing ? Level::relations : level;
 }
 
 /// The verdict, with the figures of the format that did worst, in the sample or on the user's own cases.
-Line line_of(std::size_t run, const std::string& method, const Json& r, const Json& of_sample, const Json& of_own) {
-  std::vector<Json> sums(of_sample.begin(), of_sample.end());
+ReportLine line_of(std::size_t run, const std::string& method, const Record& r, const std::vector<Sum>& of_sample,
+                   const std::vector<Sum>& of_own) {
+  std::vector<Sum> sums = of_sample;
   sums.insert(sums.end(), of_own.begin(), of_own.end());
-  Line line{.run = run, .method = method, .level = level_of(r, sums)};
-  line.text = method + ": " + r.value("verdict", "");
-  line.detail = r.value("worst", "");
+  ReportLine line{.run = run, .method = method, .level = level_of(r, sums)};
+  line.text = method + ": " + r.text_or("verdict", "");
+  line.detail = r.text_or("worst", "");
   if (sums.empty()) return line;
-  const auto worst = std::ranges::max_element(sums, {}, [](const Json& s) { return s["share"].get<double>(); });
-  line.fmt = (*worst)["fmt"].get<std::string>();
-  line.wrong = (*worst)["wrong"].get<std::uint64_t>();
-  line.judged = (*worst)["judged"].get<std::uint64_t>();
-  for (const Json& sum : of_own) {
-    const auto wrong = sum["wrong"].get<std::uint64_t>();
-    if (of_sample.empty() || wrong == 0 || r.contains("worst")) continue;  // that says it of all
-    line.detail += (line.detail.empty() ? "" : "; ") + std::string("on your own ") + sum["fmt"].get<std::string>() +
-                   " cases wrong in " + share_in_words(wrong, sum["judged"].get<std::uint64_t>());
+  const auto share = [](const Sum& s) { return rate_of(s.figures.wrong, s.figures.judged).share; };
+  const auto worst = std::ranges::max_element(sums, {}, share);
+  line.fmt = worst->fmt;
+  line.wrong = worst->figures.wrong;
+  line.judged = worst->figures.judged;
+  for (const Sum& sum : of_own) {
+    if (of_sample.empty() || sum.figures.wrong == 0 || r.has("worst")) continue;  // that says it of all
+    line.detail += (line.detail.empty() ? "" : "; ") + std::string("on your own ") + sum.fmt + " cases wrong in " +
+                   share_in_words(sum.figures.wrong, sum.figures.judged);
   }
   return line;
+}
+
+/// As `Gathering::add_method` wants it: what a certificate says of its method stands in its terms.
+std::string add_method(Gathering& g, const Record& r) {
+  Json row = {{"name", r.text("method")}, {"fmt", ""}, {"exact", false}};
+  if (const auto terms = r.find("terms")) {
+    row["fmt"] = terms->text_or("fmt", "");
+    row["exact"] = terms->truth_or("exact", false);
+  }
+  for (const char* key : {"number", "convention", "contract", "reference"}) {
+    if (r.has(key)) row[key] = r.text(key);
+  }
+  return g.add_method(Record(row, r.where()));
 }
 
 }  // namespace
 
 void gather_certificate(Run& run, Gathering& g) {
-  Json r = run.record;
-  r["name"] = r.at("method");
-  r["fmt"] = r.value("terms", Json::object()).value("fmt", "");
-  r["exact"] = r.value("terms", Json::object()).value("exact", false);
-  const std::string method = g.add_method(r);
+  const Record r = run.all();
+  const std::string method = add_method(g, r), budget = r.text_or("budget", "");
   run.page["methods"] = {method};
   run.page["title"] = method;
-  const bool judged = r.value("budget", "") == "the cases of a file";
+  const bool judged = budget == "the cases of a file";
   run.page["judged"] = judged;
   if (judged) run.page["seed"] = Json();
   if (!judged && !has_own_files(r)) {
-    std::vector<std::string> words{"certify", "--method", method, "--budget", r.value("budget", "")};
-    if (r.contains("polygons_judged")) words.push_back("--polygons");
-    words.insert(words.end(), {"--seed", std::to_string(r.value("seed", std::uint64_t{0})), "--out", run.directory});
+    std::vector<std::string> words{"certify", "--method", method, "--budget", budget};
+    if (r.has("polygons_judged")) words.push_back("--polygons");
+    words.insert(words.end(), {"--seed", seed_in(r), "--out", run.directory});
     run.page["command"] = command_of(words);
   }
-  const Json own = r.value("own_cases", Json::array()), sampled = r.value("sampled", Json::array());
-  const Json of_sample = sums_of(sampled), of_own = sums_of(own);
-  run.page["sums"] = sampled.empty() ? of_own : of_sample;
+  const std::vector<Record> own = r.items_or_none("own_cases"), sampled = r.items_or_none("sampled");
+  const std::vector<Sum> of_sample = sums_of(sampled), of_own = sums_of(own);
+  run.page["sums"] = to_json(sampled.empty() ? of_own : of_sample);
   g.add(line_of(run.number, method, r, of_sample, of_own));
-  for (const char* key : {"name", "fmt", "exact", "environment"}) r.erase(key);
-  r["sampled"] = table_of(sampled).json();
-  if (r.contains("own_cases")) r["own_cases"] = table_of(own).json();
-  r["not_covered"] = grouped(r.value("not_covered", Json::array()));
-  run.page["record"] = std::move(r);
+  Json record = run.record;
+  record.erase("environment");
+  record["sampled"] = r.has("sampled") ? table_of(run.record["sampled"]).json() : table_of(Json::array()).json();
+  if (r.has("own_cases")) record["own_cases"] = table_of(run.record["own_cases"]).json();
+  record["not_covered"] = grouped(r.items_or_none("not_covered"));
+  run.page["record"] = std::move(record);
 }
 
 }  // namespace tribunal

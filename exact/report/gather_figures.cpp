@@ -8,17 +8,18 @@ namespace tribunal {
 void gather_chart(Run& run, Gathering& g) {
   Json r = run.record;
   run.page["methods"] = Json::array();
-  for (const Json& m : r.at("methods")) run.page["methods"].push_back(g.add_method(m));
+  for (const Record& m : run.all().items("methods")) run.page["methods"].push_back(g.add_method(m));
   run.page["command"] = command_in(run);
   r.erase("environment");
   run.page["record"] = std::move(r);
 }
 
 void gather_bench(Run& run, Gathering&) {
-  Json r = run.record;
-  for (const char* key : {"executable", "host_name"}) r.at("context").erase(key);
+  const Record context = run.all().member("context").object();
+  run.page["environment"] = {{"processor", std::to_string(number_in(context, "num_cpus")) + " cores"}};
   run.page["methods"] = Json::array();
-  run.page["environment"] = {{"processor", std::to_string(r["context"].value("num_cpus", 0)) + " cores"}};
+  Json r = run.record;
+  for (const char* key : {"executable", "host_name"}) r["context"].erase(key);
   run.page["record"] = std::move(r);
 }
 

@@ -7,18 +7,20 @@ namespace tribunal {
 namespace {
 
 /// Leaks are worse than any other error; errors beside them are wrong answers on the boundaries of faces.
-Line leak_line(std::size_t run, const Json& subject, const std::string& fmt, const std::string& mesh) {
-  const Json all = subject.at("all");
+ReportLine leak_line(std::size_t run, const Record& subject, const std::string& fmt, const std::string& mesh) {
+  const Record all = subject.member("all");
   const std::uint64_t rays = number_in(all, "rays"), leaks = number_in(all, "leak");
   std::uint64_t others = 0;
   std::string detail;
   for (const char* error : {"false hit", "double hit", "closest", "order", "parity", "t", "normal", "fault"}) {
     const std::uint64_t n = number_in(all, error);
+    require_part(all, n, rays, error);
     others += n;
     if (n > 0) detail += (detail.empty() ? "" : ", ") + std::string(error) + ": " + std::to_string(n);
   }
-  const std::string name = subject.at("name");
-  Line line{.run = run, .method = name, .fmt = fmt, .detail = detail, .wrong = leaks, .judged = rays};
+  require_part(all, leaks, rays, "leak");
+  const std::string name = subject.text("name");
+  ReportLine line{.run = run, .method = name, .fmt = fmt, .detail = detail, .wrong = leaks, .judged = rays};
   line.level = leaks > 0                     ? Level::leaks
                : number_in(all, "fault") > 0 ? Level::fault
                : others > 0                  ? Level::boundary
@@ -33,20 +35,20 @@ Line leak_line(std::size_t run, const Json& subject, const std::string& fmt, con
 }  // namespace
 
 void gather_leak(Run& run, Gathering& g) {
-  Json r = run.record;
-  const std::string mesh = r.value("mesh", "");
-  Json names = Json::array();
-  for (const Json& trial : r.at("trials")) {
-    for (const Json& subject : trial.at("subjects")) {
-      if (std::ranges::find(names, subject.at("name")) == names.end()) {
-        names.push_back(g.add_method({{"name", subject["name"]}}));
-      }
-      g.add(leak_line(run.number, subject, trial.at("fmt"), mesh));
+  const Record all = run.all();
+  const std::string mesh = all.text_or("mesh", "");
+  std::vector<std::string> names;
+  for (const Record& trial : all.items("trials")) {
+    for (const Record& subject : trial.items("subjects")) {
+      const std::string name = g.add_method(subject.text("name"));
+      if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+      g.add(leak_line(run.number, subject, trial.text("fmt"), mesh));
     }
   }
   run.page["title"] = mesh;
   run.page["methods"] = names;
   run.page["command"] = command_in(run);
+  Json r = run.record;
   r.erase("environment");
   run.page["record"] = std::move(r);
 }

@@ -14,17 +14,19 @@ struct Blame {
   std::uint64_t method = 0, against = 0, neither = 0, order = 0, start = 0, unexamined = 0;
 };
 
-Blame blame_of(const Json& pixels, const std::string& method, const std::string& against) {
+Blame blame_of(const std::vector<Record>& pixels, const std::string& method, const std::string& against) {
   Blame b;
-  for (const Json& p : pixels) {
-    const std::string why = p.value("why", "");
-    const Json wrong = p.value("wrong", Json::array());
+  for (const Record& p : pixels) {
+    const std::string why = p.text_or("why", "");
+    const std::vector<Record> wrong = p.items_or_none("wrong");
     if (why != "face" && wrong.empty()) {
       ++(why == "order" ? b.order : why == "start" ? b.start : b.unexamined);
       continue;
     }
-    const bool one = std::ranges::find(wrong, Json(method)) != wrong.end();
-    const bool other = std::ranges::find(wrong, Json(against)) != wrong.end();
+    const auto is_wrong = [&](const std::string& name) {
+      return std::ranges::any_of(wrong, [&](const Record& w) { return w.text() == name; });
+    };
+    const bool one = is_wrong(method), other = is_wrong(against);
     b.method += one;
     b.against += other;
     b.neither += !one && !other;
@@ -32,12 +34,23 @@ Blame blame_of(const Json& pixels, const std::string& method, const std::string&
   return b;
 }
 
+/// The image's pixels in all.
+struct Size {
+  std::uint64_t width, height;
+};
+
+Size size_of(const Record& r) {
+  constexpr std::uint64_t most = std::uint64_t{1} << 24;
+  return {r.count("width", most), r.count("height", most)};
+}
+
 Json pixels_table(const Run& run, const CaseBook& book) {
   Table table({"x", "y", "colour", "parted_on", "why", "case"});
-  for (const Json& p : run.record.at("pixels")) {
-    const auto number = book.number_of(run.number, p.value("case", ""));
-    table.add({p.at("x"), p.at("y"), p.value("colour", true) ? 1 : 0, p.value("parted_on", ""), p.at("why"),
-               number ? Json(*number) : Json()});
+  const Size size = size_of(run.all());
+  for (const Record& p : run.all().items("pixels")) {
+    const auto number = book.number_of(run.number, p.text_or("case", ""));
+    table.add({p.count("x", size.width), p.count("y", size.height), p.truth_or("colour", true) ? 1 : 0,
+               p.text_or("parted_on", ""), p.text("why"), number ? Json(*number) : Json()});
   }
   return table.json();
 }
@@ -47,17 +60,22 @@ Level level_of(const CaseBook& book, std::size_t run, const std::string& method)
   for (const std::size_t n : book.numbers_of(run)) {
     const Json& finding = book.at(n).c.finding;
     if (text_in(finding, "method") != method) continue;
-    const Level level = worst_level({{text_in(finding, "severity"), 1}});
-    return level == Level::nothing ? Level::boundary : level;
+    const std::string severity = text_in(finding, "severity");
+    for (const Level level : {Level::plain, Level::extreme}) {
+      if (severity == name_of(level)) return level;
+    }
+    return Level::boundary;
   }
   return Level::boundary;
 }
 
-Line line_for(const Run& run, const CaseBook& book, const std::string& method, std::uint64_t wrong, const Blame& b) {
-  const Json& r = run.record;
-  const std::uint64_t pixels = r.at("width").get<std::uint64_t>() * r.at("height").get<std::uint64_t>();
+ReportLine line_for(const Run& run, const CaseBook& book, const std::string& method, std::uint64_t wrong,
+                    const Blame& b) {
+  const Record r = run.all();
+  const auto [width, height] = size_of(r);
+  const std::uint64_t pixels = width * height;
   const std::uint64_t judged = pixels - std::min(pixels, b.unexamined);
-  Line line{.run = run.number, .method = method, .fmt = r.value("fmt", ""), .wrong = wrong, .judged = judged};
+  ReportLine line{.run = run.number, .method = method, .fmt = r.text_or("fmt", ""), .wrong = wrong, .judged = judged};
   if (wrong > 0) {
     line.level = level_of(book, run.number, method);
     line.text = method + ": " + share_in_words(wrong, judged) + " pixels show a wrong answer";
@@ -81,49 +99,51 @@ Line line_for(const Run& run, const CaseBook& book, const std::string& method, s
 
 /// The command; null of a record that does not say with which options it was made.
 Json command_for(const Run& run, const std::string& method, const std::string& against) {
-  const Json& r = run.record;
-  const std::string size = std::to_string(r.value("width", 0)) + "x" + std::to_string(r.value("height", 0));
-  if (!r.contains("options")) return Json();
-  std::vector<std::string> words{"render",    r.value("scene", ""),
+  const Record r = run.all();
+  const auto [width, height] = size_of(r);
+  const auto options = r.find("options");
+  if (!options) return Json();
+  std::vector<std::string> words{"render",    r.text_or("scene", ""),
                                  "--method",  method,
                                  "--against", against,
-                                 "--size",    size,
-                                 "--accel",   r.value("accel", "bvh"),
-                                 "--depth",   std::to_string(r.value("depth", 1))};
+                                 "--size",    std::to_string(width) + "x" + std::to_string(height),
+                                 "--accel",   r.text_or("accel", "bvh"),
+                                 "--depth",   std::to_string(r.count_or("depth", 1, 1000))};
   for (const char* key : {"camera", "scale", "up", "max-cases", "triangulate", "heat"}) {
-    const Json value = r["options"].value(key, Json());
-    if (value.is_null() || value == false) continue;
+    const auto value = options->find(key);
+    if (!value || value->json().is_null() || value->json() == false) continue;
     words.push_back(std::string("--") + key);
-    if (value != true) words.push_back(value.is_string() ? value.get<std::string>() : value.dump());
+    if (value->json() != true) words.push_back(value->json().is_string() ? value->text() : value->json().dump());
   }
-  words.insert(words.end(), {"--out", run.path(r.at("files").value("image", "image.png"))});
+  words.insert(words.end(), {"--out", run.path(r.member("files").text_or("image", "image.png"))});
   return command_of(words);
 }
 
 }  // namespace
 
 void gather_render(Run& run, Gathering& g) {
-  const Json& r = run.record;
-  const std::string method = r.at("difference").at("method"), against = r["difference"].at("against");
-  for (const std::string& name : {method, against}) {
-    g.add_method({{"name", name}});
-    run.page["methods"].push_back(name);
-  }
-  const std::string scene = std::filesystem::path(r.value("scene", "")).filename().string();
+  const Record r = run.all();
+  const Record difference = r.member("difference");
+  const std::string method = difference.text("method"), against = difference.text("against");
+  for (const std::string& name : {method, against}) run.page["methods"].push_back(g.add_method(name));
+  const std::string scene = std::filesystem::path(r.text_or("scene", "")).filename().string();
   run.page["title"] = scene + ": " + method + " against " + against;
   run.page["seed"] = Json();
   run.page["command"] = command_for(run, method, against);
-  const Blame b = blame_of(r.at("pixels"), method, against);
+  const std::vector<Record> pixels = r.items("pixels");
+  const auto [width, height] = size_of(r);
+  require_part(r, pixels.size(), width * height, "pixels");
+  const Blame b = blame_of(pixels, method, against);
   g.add(line_for(run, g.book, method, b.method, b));
   g.add(line_for(run, g.book, against, b.against, b));
   run.page["verdict_pixels"] = {{"method", b.method}, {"against", b.against}, {"neither", b.neither},
                                 {"order", b.order},   {"start", b.start},     {"unexamined", b.unexamined}};
-  Json record = r;
+  Json record = run.record;
   record["pixels"] = pixels_table(run, g.book);
   for (const char* key : {"files", "environment", "options"}) record.erase(key);
   run.page["record"] = std::move(record);
-  for (const auto& [key, name] : r.at("files").items()) {
-    if (key != "cases") run.page["images"][key == "image" ? "method" : key] = g.add_image(run, name.get<std::string>());
+  for (const auto& [key, name] : r.member("files").members()) {
+    if (key != "cases") run.page["images"][key == "image" ? "method" : key] = g.add_image(run, name.text());
   }
 }
 

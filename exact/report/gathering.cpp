@@ -36,13 +36,19 @@ std::string_view name_of(Level level) {
 
 std::string Run::path(const std::string& name) const { return (std::filesystem::path(directory) / name).string(); }
 
-std::string Gathering::add_method(const Json& row) {
-  const std::string name = row.at("name").get<std::string>();
+std::string Gathering::add_method(const Record& row) {
+  const std::string name = add_method(row.text("name"));
+  if (find_method(name) != nullptr) return name;
+  for (const char* key : {"number", "fmt", "convention", "contract", "reference"}) {
+    if (row.has(key)) methods_[name][key] = row.text(key);
+  }
+  if (row.has("exact")) methods_[name]["exact"] = row.truth("exact");
+  return name;
+}
+
+std::string Gathering::add_method(const std::string& name) {
   Json& entry = methods_[name];
   if (entry.is_null()) entry = Json::object();
-  for (const char* key : {"number", "fmt", "convention", "exact", "contract", "reference"}) {
-    if (row.contains(key)) entry[key] = row[key];
-  }
   if (const Method* m = find_method(name)) {
     entry.update({{"number", m->card.number},
                   {"fmt", name_of(m->contract.format)},
@@ -78,18 +84,21 @@ Json Gathering::add_image(Run& run, const std::string& name) {
 Json Gathering::method_order() const {
   std::vector<std::string> names;
   for (const auto& [name, entry] : methods_.items()) names.push_back(name);
-  std::ranges::stable_sort(names, {}, [&](const std::string& n) { return methods_[n].value("exact", false); });
+  std::ranges::stable_sort(names, {}, [&](const std::string& n) {
+    const auto exact = methods_[n].find("exact");
+    return exact != methods_[n].end() && *exact == true;
+  });
   return names;
 }
 
 Json Gathering::verdicts() const {
-  std::vector<Line> lines = lines_;
-  const auto share = [](const Line& l) {
+  std::vector<ReportLine> lines = lines_;
+  const auto share = [](const ReportLine& l) {
     return l.judged == 0 ? 0.0 : static_cast<double>(l.wrong) / static_cast<double>(l.judged);
   };
-  std::ranges::stable_sort(lines, {}, [&](const Line& l) { return std::tuple(l.level, -share(l)); });
+  std::ranges::stable_sort(lines, {}, [&](const ReportLine& l) { return std::tuple(l.level, -share(l)); });
   Json all = Json::array();
-  for (const Line& l : lines) {
+  for (const ReportLine& l : lines) {
     Json row = {{"run", l.run},       {"method", l.method}, {"level", name_of(l.level)}, {"text", l.text},
                 {"detail", l.detail}, {"wrong", l.wrong},   {"judged", l.judged}};
     if (!l.fmt.empty()) row["fmt"] = l.fmt;
@@ -108,18 +117,45 @@ std::string share_in_words(std::uint64_t part, std::uint64_t whole) {
   return whole == 0 ? text : text + " (" + percent(static_cast<double>(part) / static_cast<double>(whole)) + ")";
 }
 
-Level worst_level(const Json& counts) {
-  for (const Level level : {Level::plain, Level::boundary, Level::extreme}) {
-    if (counts.value(std::string(name_of(level)), std::uint64_t{0}) > 0) return level;
-  }
-  return Level::nothing;
+void Figures::add_severities(const Record& row) {
+  plain += number_in(row, "plain");
+  boundary += number_in(row, "boundary");
+  extreme += number_in(row, "extreme");
 }
 
-Line line_of(std::size_t run, const std::string& method, const std::string& fmt, const Json& counts) {
-  const auto count = [&](const char* key) { return counts.value(key, std::uint64_t{0}); };
-  Line line{.run = run, .method = method, .level = worst_level(counts), .fmt = fmt};
-  line.wrong = count("wrong");
-  line.judged = count("judged");
+Level worst_level(const Figures& f) {
+  if (f.plain > 0) return Level::plain;
+  if (f.boundary > 0) return Level::boundary;
+  return f.extreme > 0 ? Level::extreme : Level::nothing;
+}
+
+std::uint64_t number_in(const Record& row, const char* group, const char* key) {
+  const auto found = row.find(group);
+  return found ? number_in(*found, key) : 0;
+}
+
+std::string seed_in(const Record& r) { return std::to_string(r.has("seed") ? r.whole("seed") : 0); }
+
+std::vector<std::string> names_in(const std::vector<Record>& objects, const char* key) {
+  std::vector<std::string> names;
+  for (const Record& o : objects) {
+    const std::string name = o.text(key);
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  }
+  return names;
+}
+
+void require_part(const Record& row, std::uint64_t part, std::uint64_t whole, const char* what) {
+  if (part > whole) {
+    row.fail(std::string("counts that cannot be: ") + what + ", " + std::to_string(part) + " of " +
+             std::to_string(whole));
+  }
+}
+
+ReportLine line_of(std::size_t run, const std::string& method, const std::string& fmt, const Figures& counts) {
+  ReportLine line{.run = run, .method = method, .level = worst_level(counts), .fmt = fmt};
+  line.wrong = counts.wrong;
+  line.judged = counts.judged;
   if (line.judged == 0) {
     line.text = method + ": nothing was judged in " + fmt;
     return line;
@@ -130,10 +166,10 @@ Line line_of(std::size_t run, const std::string& method, const std::string& fmt,
     return line;
   }
   if (line.level == Level::nothing) line.level = Level::extreme;
-  if (count("fault") > 0 && line.level != Level::plain) line.level = Level::fault;
+  if (counts.fault > 0 && line.level != Level::plain) line.level = Level::fault;
   line.text = method + ": wrong in " + share_in_words(line.wrong, line.judged) + " " + fmt + " cases";
-  line.detail = std::to_string(count("plain")) + " plain, " + std::to_string(count("boundary")) + " on boundaries, " +
-                std::to_string(count("extreme")) + " at extreme scale";
+  line.detail = std::to_string(counts.plain) + " plain, " + std::to_string(counts.boundary) + " on boundaries, " +
+                std::to_string(counts.extreme) + " at extreme scale";
   return line;
 }
 
@@ -146,17 +182,19 @@ std::string command_of(const std::vector<std::string>& words) {
   return text;
 }
 
+/// The words of the record; null if it has none.
 Json command_in(const Run& run) {
-  const Json words = run.record.value("command", Json());
-  if (!words.is_array() || !std::ranges::all_of(words, [](const Json& word) { return word.is_string(); })) return {};
-  auto all = words.get<std::vector<std::string>>();
-  all.insert(all.end(), {"--out", run.directory});
-  return command_of(all);
+  const auto given = run.all().find("command");
+  if (!given || given->json().is_null()) return {};
+  std::vector<std::string> words;
+  for (const Record& word : given->items()) words.push_back(word.text());
+  words.insert(words.end(), {"--out", run.directory});
+  return command_of(words);
 }
 
-std::string joined(const Json& names) {
+std::string joined(const std::vector<std::string>& names) {
   std::string text;
-  for (const Json& name : names) text += (text.empty() ? "" : ",") + name.get<std::string>();
+  for (const std::string& name : names) text += (text.empty() ? "" : ",") + name;
   return text;
 }
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "exact/base/json.h"
+#include "exact/base/record.h"
 #include "exact/report/case_book.h"
 
 namespace tribunal {
@@ -29,7 +29,7 @@ enum class Level : std::uint8_t {
 std::string_view name_of(Level level);
 
 /// One line of a report: what one run says of one method, in one format if there is one.
-struct Line {
+struct ReportLine {
   std::size_t run = 0;
   std::string method{};
   Level level = Level::nothing;
@@ -48,6 +48,7 @@ struct Run {
   Json page{};              ///< for the page; every run's common members are there first
 
   std::string path(const std::string& name) const;
+  Record all() const { return {record, {path(file)}}; }
 };
 
 /// Everything beside the runs themselves.
@@ -57,9 +58,11 @@ class Gathering {
 
   /// What a record says of a method: `name`, and any of `number`, `fmt`, `convention`, `exact`, `contract`,
   /// `reference`. What this program knows of a method of that name is added. Returns the name.
-  std::string add_method(const Json& row);
+  std::string add_method(const Record& row);
+  /// The same of a method of which no more is said.
+  std::string add_method(const std::string& name);
 
-  void add(Line line) { lines_.push_back(std::move(line)); }
+  void add(ReportLine line) { lines_.push_back(std::move(line)); }
   void leave_out(Run& run, const std::string& what);
 
   /// A picture beside the run's file, as a data URI: its number, or null if it is missing, or too large for a page.
@@ -77,12 +80,12 @@ class Gathering {
 
  private:
   Json methods_ = Json::object(), images_ = Json::array(), left_out_ = Json::array();
-  std::vector<Line> lines_;
+  std::vector<ReportLine> lines_;
   std::size_t image_bytes_ = 0;
 };
 
 /// A kind of result: how its file is recognised, which cases belong to it, and how the page's members are made of it.
-struct Kind {
+struct ResultKind {
   std::string_view name;
   std::string_view prefix, suffix;   ///< of the file's name
   std::string_view key;              ///< that the record has
@@ -106,19 +109,33 @@ void gather_bench(Run& run, Gathering& g);
 /// "123 of 4567 (2.69 %)".
 std::string share_in_words(std::uint64_t part, std::uint64_t whole);
 
-/// The worst severity of which there is a case: of counts keyed "plain", "boundary", "extreme". `nothing` if all are 0.
-Level worst_level(const Json& counts);
+/// What is counted of answers.
+struct Figures {
+  std::uint64_t judged = 0, wrong = 0, plain = 0, boundary = 0, extreme = 0, fault = 0;
+
+  /// Of a row with the members "plain", "boundary" and "extreme", which may be missing.
+  void add_severities(const Record& row);
+};
+
+/// The worst severity of which there is a case; `nothing` if all are 0.
+Level worst_level(const Figures& f);
 
 /// The level, and as `text` "mine: wrong in 2 of 8 (25 %) binary64 cases", or "mine: nothing wrong in 8 binary64 cases"
-/// with the `detail` "so at most 31.2 % wrong of such cases, with 95 % confidence". `counts` as above, and "wrong",
-/// "judged".
-Line line_of(std::size_t run, const std::string& method, const std::string& fmt, const Json& counts);
+/// with the `detail` "so at most 31.2 % wrong of such cases, with 95 % confidence".
+ReportLine line_of(std::size_t run, const std::string& method, const std::string& fmt, const Figures& counts);
 
 /// A count of a record, or of a group of it; 0 where the record leaves it out.
-inline std::uint64_t number_in(const Json& row, const char* key) { return row.value(key, std::uint64_t{0}); }
-inline std::uint64_t number_in(const Json& row, const char* group, const char* key) {
-  return row.contains(group) ? number_in(row[group], key) : 0;
-}
+inline std::uint64_t number_in(const Record& row, const char* key) { return row.count_or(key, 0); }
+std::uint64_t number_in(const Record& row, const char* group, const char* key);
+
+/// "seed", as an option's value.
+std::string seed_in(const Record& r);
+
+/// The texts of the members `key` of the objects, each once, in their order.
+std::vector<std::string> names_in(const std::vector<Record>& objects, const char* key);
+
+/// Fails unless part ≤ whole.
+void require_part(const Record& row, std::uint64_t part, std::uint64_t whole, const char* what);
 
 /// `tribunal WORDS…`, each word as a shell takes it.
 std::string command_of(const std::vector<std::string>& words);
@@ -127,6 +144,6 @@ std::string command_of(const std::vector<std::string>& words);
 Json command_in(const Run& run);
 
 /// "a,b".
-std::string joined(const Json& names);
+std::string joined(const std::vector<std::string>& names);
 
 }  // namespace tribunal

@@ -24,38 +24,38 @@ std::string counterexamples(const Run&) { return "counterexamples.jsonl"; }
 std::string witnesses(const Run&) { return "witnesses.jsonl"; }
 std::string cases(const Run&) { return "cases.jsonl"; }
 std::string named_cases(const Run& run) {
-  return fs::path(run.record.at("files").value("cases", "")).filename().string();
+  return fs::path(run.all().member("files").text_or("cases", "")).filename().string();
 }
 
 constexpr std::array kinds = {
-    Kind{"fuzz", "summary", ".json", "counts", counterexamples, gather_fuzz},
-    Kind{"relations", "relations", ".json", "relations", witnesses, gather_relations},
-    Kind{"certificate", "certificate", ".json", "verdict", counterexamples, gather_certificate},
-    Kind{"sweep", "sweep", ".json", "thresholds", witnesses, gather_sweep},
-    Kind{"compilers", "compilers", ".json", "builds", no_cases, gather_compilers},
-    Kind{"map", "map-", ".json", "panels", no_cases, gather_map},
-    Kind{"render", "", ".diff.json", "pixels", named_cases, gather_render},
-    Kind{"leak", "summary", ".json", "trials", cases, gather_leak},
-    Kind{"chart", "chart", ".json", "speed", no_cases, gather_chart},
-    Kind{"bench", "bench", ".json", "benchmarks", no_cases, gather_bench},
+    ResultKind{"fuzz", "summary", ".json", "counts", counterexamples, gather_fuzz},
+    ResultKind{"relations", "relations", ".json", "relations", witnesses, gather_relations},
+    ResultKind{"certificate", "certificate", ".json", "verdict", counterexamples, gather_certificate},
+    ResultKind{"sweep", "sweep", ".json", "thresholds", witnesses, gather_sweep},
+    ResultKind{"compilers", "compilers", ".json", "builds", no_cases, gather_compilers},
+    ResultKind{"map", "map-", ".json", "panels", no_cases, gather_map},
+    ResultKind{"render", "", ".diff.json", "pixels", named_cases, gather_render},
+    ResultKind{"leak", "summary", ".json", "trials", cases, gather_leak},
+    ResultKind{"chart", "chart", ".json", "speed", no_cases, gather_chart},
+    ResultKind{"bench", "bench", ".json", "benchmarks", no_cases, gather_bench},
 };
 
 constexpr const char* writers = "fuzz, certify, judge, sweep, chart, leak, render --against or bench wrote";
 
 struct Result {
-  const Kind* kind;
+  const ResultKind* kind;
   Run run;
 };
 
 /// Whether a file of this name may be a result.
 bool may_be_result(const std::string& name) {
-  return std::ranges::any_of(kinds, [&](const Kind& k) {
+  return std::ranges::any_of(kinds, [&](const ResultKind& k) {
     return name.starts_with(k.prefix) && name.ends_with(k.suffix) && name.size() >= k.prefix.size() + k.suffix.size();
   });
 }
 
-const Kind* kind_of(const std::string& name, const Json& record) {
-  for (const Kind& k : kinds) {
+const ResultKind* kind_of(const std::string& name, const Json& record) {
+  for (const ResultKind& k : kinds) {
     if (name.starts_with(k.prefix) && name.ends_with(k.suffix) && record.is_object() && record.contains(k.key)) {
       return &k;
     }
@@ -72,7 +72,7 @@ void add_results(const std::string& directory, std::vector<Result>& results, std
     const std::string name = path.filename().string();
     if (!may_be_result(name)) continue;
     Json record = parse_json(read_file(file), {file});
-    const Kind* kind = kind_of(name, record);
+    const ResultKind* kind = kind_of(name, record);
     if (kind == nullptr) continue;
     any = true;
     if (!taken.insert(canonical_path(file)).second) continue;
@@ -85,19 +85,6 @@ void add_results(const std::string& directory, std::vector<Result>& results, std
   if (!any) throw bad_input(directory, 0, std::string("holds no result, expected a file that ") + writers);
 }
 
-/// Turns what the JSON library says of a record with another shape into a failure of input.
-template <class Work>
-void reading(const Result& result, const Work& work) {
-  try {
-    work();
-  } catch (const Json::exception& error) {
-    std::string what = error.what();
-    if (const std::size_t at = what.find("] "); at != std::string::npos) what = what.substr(at + 2);
-    throw bad_input(result.run.path(result.run.file), 0,
-                    "not as `" + std::string(result.kind->name) + "` is written: " + what);
-  }
-}
-
 void read_cases(Result& result, CaseBook& book) {
   const std::string name = result.kind->cases(result.run);
   if (name.empty()) return;
@@ -108,6 +95,8 @@ void read_cases(Result& result, CaseBook& book) {
 Json start_of_page(const Result& result) {
   const Run& run = result.run;
   const Json& r = run.record;
+  if (r.contains("seed")) run.all().whole("seed");
+  if (const auto made_with = run.all().find("environment")) made_with->object();
   return {{"kind", result.kind->name},
           {"id", "run-" + std::to_string(run.number)},
           {"title", run.directory},
@@ -141,10 +130,10 @@ void gather(Result& result, Gathering& g) {
 Json families_json(const Json& runs) {
   Json families = Json::object();
   for (const Json& run : runs) {
-    for (const Json& name : run.value("families", Json::array())) {
-      const Family* family = find_family(name.get<std::string>());
-      families[name.get<std::string>()] = {
-          {"about", family != nullptr ? Json(family->stresses) : Json("cases of your own")}};
+    for (const Record& named : Record(run, {"page"}).items_or_none("families")) {
+      const std::string name = named.text();
+      const Family* family = find_family(name);
+      families[name] = {{"about", family != nullptr ? Json(family->stresses) : Json("cases of your own")}};
     }
   }
   return families;
@@ -157,11 +146,11 @@ Json gather_report(const ReportPlan& plan) {
   std::set<std::string> taken;
   for (const std::string& directory : plan.directories) add_results(directory, results, taken);
   Gathering g;
-  for (Result& r : results) reading(r, [&] { read_cases(r, g.book); });
+  for (Result& r : results) read_cases(r, g.book);
   g.book.choose(plan.most_cases);
   Json runs = Json::array();
   for (Result& r : results) {
-    reading(r, [&] { gather(r, g); });
+    gather(r, g);
     runs.push_back(std::move(r.run.page));
   }
   const Json report = {{"schema", 1},

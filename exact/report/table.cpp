@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "exact/base/record.h"
+
 namespace tribunal {
 namespace {
 
@@ -25,7 +27,7 @@ void Table::add(std::vector<Json> cells) {
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (!cells[i].is_string()) continue;
     Words& words = words_[i];
-    const auto [at, is_new] = words.index.emplace(cells[i].get<std::string>(), words.list.size());
+    const auto [at, is_new] = words.index.emplace(Record(cells[i], {columns_[i]}).text(), words.list.size());
     if (is_new) words.list.push_back(at->first);
     cells[i] = at->second;
   }

@@ -21,7 +21,7 @@ namespace {
 using namespace detail;
 
 template <class Terms>
-mpq_class fraction(const Expansion<Terms>& e) {
+mpq_class fraction(const ExactExpansion<Terms>& e) {
   mpq_class sum;
   for (std::size_t i = 0; i < e.size(); ++i) sum += mpq_class(e.terms()[i]);
   return sum;
@@ -29,7 +29,7 @@ mpq_class fraction(const Expansion<Terms>& e) {
 
 /// Whether each term is larger than all before it together.
 template <class Terms>
-bool is_nonoverlapping(const Expansion<Terms>& e) {
+bool is_nonoverlapping(const ExactExpansion<Terms>& e) {
   mpq_class sum;
   for (std::size_t i = 0; i < e.size(); ++i) {
     const mpq_class term(e.terms()[i]);
@@ -63,7 +63,7 @@ class Numbers {
   int lo_, hi_;
 };
 
-TEST(Expansion, SumsAndProductsAreExactAndNonoverlapping) {
+TEST(ExactExpansion, SumsAndProductsAreExactAndNonoverlapping) {
   Numbers number(1, -60, 60);
   for (int i = 0; i < 3000; ++i) {
     VolumeExpansion e, f;
@@ -88,7 +88,7 @@ TEST(Expansion, SumsAndProductsAreExactAndNonoverlapping) {
 }
 
 /// Operands with numbers at both ends of the range, where a wider range would let products underflow or overflow.
-TEST(Expansion, VolumesAreExactToTheEndsOfTheRange) {
+TEST(ExactExpansion, VolumesAreExactToTheEndsOfTheRange) {
   const auto [least, end] = volume_range;
   for (const auto& [lo, hi] : {std::pair{least, least + 2}, {least, least + 90}, {end - 90, end}, {end - 2, end}}) {
     Numbers number(2, lo, hi);
@@ -105,7 +105,7 @@ TEST(Expansion, VolumesAreExactToTheEndsOfTheRange) {
 
 /// Coordinates in the least binade of the range, of points that are nearly coplanar, so that only the lowest bits of
 /// products remain.
-TEST(Expansion, TheLeastBitsOfTheLeastNumbersCount) {
+TEST(ExactExpansion, TheLeastBitsOfTheLeastNumbersCount) {
   int beyond_bound = 0;
   for (const ExpansionRange& range : {volume_range, order_range}) {
     Numbers number(3, range.least, range.least + 2);

@@ -179,7 +179,8 @@ TEST(Headline, SaysTheWorstAndKeepsPopulationsApart) {
 }
 
 TEST(Counts, OfOlderLogsSayWhatTheySay) {
-  const Count old = to_count(Json::parse("[10,3,1]"), {"old"});
+  const Json of_old = Json::parse("[10,3,1]");
+  const Count old = to_count({of_old, {"old"}});
   EXPECT_EQ(old.wrong, 3U);
   EXPECT_EQ(old.unsaid(), 3U);
   EXPECT_EQ(breakdown(old), "3 of a kind not said");
@@ -193,13 +194,14 @@ TEST(Counts, RecordsGoThereAndBack) {
                           Outcome::fault, Outcome::refused, Outcome::not_owed}) {
     c += count_of(o, Severity::boundary, o == Outcome::false_hit ? Cause::logic : Cause::unknown);
   }
-  EXPECT_EQ(to_count(to_array(c), {"test"}), c);
+  const Json array = to_array(c);
+  EXPECT_EQ(to_count({array, {"test"}}), c);
   Json too_many = to_array(c);
   too_many[11] = 1;  // more severities than wrong answers
-  EXPECT_THROW(to_count(too_many, {"test"}), Failure);
+  EXPECT_THROW(to_count({too_many, {"test"}}), Failure);
   Json other = to_array(c);
   other[7] = 2;  // more outcomes
-  EXPECT_THROW(to_count(other, {"test"}), Failure);
+  EXPECT_THROW(to_count({other, {"test"}}), Failure);
 }
 
 /// A wrong contact refutes like any wrong answer, is confirmed by the oracles, and is not taken for a wrong hit.

@@ -229,13 +229,13 @@ TEST(Ulps, JsonKeepsThemAndRefusesWhatCannotBe) {
     e.weights.add(x, {Dyadic(), Dyadic(1.0)}, Format::binary64, e.hits);
   }
   const Json json = from_errors(e);
-  EXPECT_EQ(to_errors(json, {"x"}), e);
+  EXPECT_EQ(to_errors({json, {"x"}}), e);
   Json fewer = json;
   fewer["hits"] = 2;
-  EXPECT_THROW(to_errors(fewer, {"x"}), Failure);
+  EXPECT_THROW(to_errors({fewer, {"x"}}), Failure);
   Json smaller = json;
   smaller["t"]["most"] = 1.0;
-  EXPECT_THROW(to_errors(smaller, {"x"}), Failure) << "the histogram says more";
+  EXPECT_THROW(to_errors({smaller, {"x"}}), Failure) << "the histogram says more";
 }
 
 // --- certificates, and answers from files ----------------------------------------------------------------------------

@@ -50,7 +50,7 @@ void check(const World& world, const Ray& ray, Visibility& eye, Departures& depa
   const HitPoint at{ray.o, *id, ray.o + (h.num / h.den) * ray.d.v, normal};
   const RationalKernel k;
   const std::uint64_t unproved = starts.tally.starts_unproved;
-  const Start start = departures.near_side(at);
+  const Departure start = departures.near_side(at);
   const Point3 near = start.point, far = departures.far_side(at, start).point;
   if (starts.tally.starts_unproved != unproved) {
     EXPECT_NE(contact_of(world, ray, *id), Contact::interior) << "only where an edge is grazed";

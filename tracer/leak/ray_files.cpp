@@ -9,20 +9,14 @@
 
 #include "exact/base/failure.h"
 #include "exact/base/foreign_json.h"
-#include "exact/base/json.h"
+#include "exact/base/record.h"
 #include "exact/base/shown.h"
 #include "exact/cases/case_io.h"
 
 namespace tribunal::leak {
 namespace {
 
-std::string text_at(const Json& object, const char* key, const Where& where) {
-  const Json& value = require(object, key, where);
-  if (!value.is_string() || value.get_ref<const std::string&>().empty()) {
-    where.key(key).fail("expected a string that is not empty");
-  }
-  return value.get<std::string>();
-}
+std::string text_at(const Json& object, const char* key, const Where& where) { return Record(object, where).name(key); }
 
 /// "vertex 12", as in the findings of a trial.
 void read_aim(const std::string& text, AimedRay& aimed, const Where& where) {
@@ -82,12 +76,7 @@ bool to_bool(const Json& value, const Where& where) {
 
 Reported to_reported(const Json& value, const Surface& surface, const Where& where) {
   require_keys(value, {"face", "t", "normal", "side"}, where);
-  const Json& face = require(value, "face", where);
-  if (!face.is_number_unsigned() || face.get<std::uint64_t>() >= surface.face_count()) {
-    where.key("face").fail("expected one of " + std::to_string(surface.face_count()) + " faces, from 0, found " +
-                           face.dump());
-  }
-  Reported reported{face.get<std::uint32_t>()};
+  Reported reported{static_cast<std::uint32_t>(Record(value, where).count("face", surface.face_count() - 1))};
   if (value.contains("t")) reported.t = computed_number(value["t"], where.key("t"));
   if (value.contains("normal")) reported.normal = computed_point(value["normal"], where.key("normal"));
   if (!value.contains("side")) return reported;

@@ -8,7 +8,7 @@
 
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
-#include "exact/base/json.h"
+#include "exact/base/record.h"
 #include "exact/base/shown.h"
 #include "exact/mesh/read_mesh.h"
 
@@ -39,12 +39,12 @@ Point3 point_at(const Json& object, const char* key, const Where& where) {
 
 /// Reads a number into x, if the object has it; else x keeps its default.
 void read_number(const Json& object, const char* key, double lo, double hi, double& x, const Where& where) {
-  if (object.contains(key)) x = number_in(object.at(key), lo, hi, where.key(key));
+  if (object.contains(key)) x = number_in(object[key], lo, hi, where.key(key));
 }
 
 void read_colour(const Json& object, const char* key, double hi, Colour& c, const Where& where) {
   if (!object.contains(key)) return;
-  const Json& value = object.at(key);
+  const Json& value = object[key];
   const Where here = where.key(key);
   const std::string range = hi < huge ? "three numbers in 0..1" : "three numbers, 0 or more";
   if (!value.is_array() || value.size() != 3) here.fail("expected " + range + ", found " + value.dump());
@@ -56,10 +56,7 @@ void read_colour(const Json& object, const char* key, double hi, Colour& c, cons
   c = {channels[0], channels[1], channels[2]};
 }
 
-std::string text_at(const Json& value, const Where& where) {
-  if (!value.is_string()) where.fail("expected a text, found " + value.dump());
-  return value.get<std::string>();
-}
+std::string text_at(const Json& value, const Where& where) { return Record(value, where).text(); }
 
 const Json& array_at(const Json& object, const char* key, const Where& where) {
   const Json& value = require(object, key, where);
@@ -80,11 +77,11 @@ double view_height_of(const Json& object, const Where& where) {
     where.fail("expected either \"fov\" in degrees or \"view_height\" at unit distance");
   }
   if (object.contains("fov")) {
-    const double degrees = number_in(object.at("fov"), 0, 180, where.key("fov"));
+    const double degrees = number_in(object["fov"], 0, 180, where.key("fov"));
     if (!(degrees > 0 && degrees < 180)) where.key("fov").fail("expected degrees between 0 and 180, exclusive");
     return 2 * std::tan(degrees * (std::numbers::pi / 360));
   }
-  const double height = number_in(object.at("view_height"), 0, 1e6, where.key("view_height"));
+  const double height = number_in(object["view_height"], 0, 1e6, where.key("view_height"));
   if (height == 0) where.key("view_height").fail("expected a number greater than 0");
   return height;
 }
@@ -109,11 +106,7 @@ std::vector<std::uint32_t> to_ring(const Json& value, std::size_t vertices, cons
   if (!value.is_array() || value.size() < 3) where.fail("expected an array of at least 3 vertex indices");
   std::vector<std::uint32_t> ring;
   for (std::size_t i = 0; i < value.size(); ++i) {
-    const bool known = value[i].is_number_unsigned() && value[i].get<std::uint64_t>() < vertices;
-    if (!known)
-      where.index(i).fail("expected a vertex index from 0 to " + std::to_string(vertices - 1) + ", found " +
-                          value[i].dump());
-    ring.push_back(value[i].get<std::uint32_t>());
+    ring.push_back(static_cast<std::uint32_t>(Record(value[i], where.index(i)).count(vertices - 1)));
   }
   return ring;
 }
@@ -153,7 +146,7 @@ Mesh read_solid(const std::string& path) {
   const Where where{path};
   const Json object = parse_json(text, where);
   require_keys(object, {"description", "vertices", "faces"}, where);
-  if (object.contains("description")) text_at(object.at("description"), where.key("description"));
+  if (object.contains("description")) text_at(object["description"], where.key("description"));
   return to_solid_mesh(object, where);
 }
 
@@ -164,15 +157,15 @@ Mesh to_mesh(const Json& object, const Where& where) {
   if (object.contains("vertices")) return to_solid_mesh(object, where);
   const char* const key = object.contains("mesh") ? "mesh" : "solid";
   if (object.contains("faces")) where.key("faces").fail("expected no faces beside \"" + std::string(key) + "\"");
-  const std::string name = text_at(object.at(key), where.key(key));
-  if (!shows_as_it_is(name)) where.key(key).fail("expected the name of a file, found " + object.at(key).dump());
+  const std::string name = text_at(object[key], where.key(key));
+  if (!shows_as_it_is(name)) where.key(key).fail("expected the name of a file, found " + object[key].dump());
   const std::string path = (std::filesystem::path(where.file).parent_path() / std::filesystem::path(name)).string();
   return object.contains("mesh") ? read_mesh(path) : read_solid(path);
 }
 
 Point3 scale_of(const Json& object, const Where& where) {
   if (!object.contains("scale")) return Point3(1);
-  const Json& value = object.at("scale");
+  const Json& value = object["scale"];
   const Where here = where.key("scale");
   const Point3 s =
       value.is_array() ? to_point(value, Format::binary64, here) : Point3(to_number(value, Format::binary64, here));
@@ -217,8 +210,8 @@ Solid to_solid(const Json& object, std::size_t number, const Where& where) {
                 "specular", "shininess", "reflection", "transparency", "refractive_index"},
                where);
   Solid s;
-  s.name = object.contains("name") ? shown(text_at(object.at("name"), where.key("name")))
-                                   : "solid " + std::to_string(number);
+  s.name =
+      object.contains("name") ? shown(text_at(object["name"], where.key("name"))) : "solid " + std::to_string(number);
   s.material = to_material(object, where);
   s.mesh = to_mesh(object, where);
   place(object, s.mesh, where);
@@ -232,7 +225,7 @@ Flaps to_flaps(const Json& object, const Where& where) {
   for (const int axis : {0, 1, 2}) {
     const std::string key(1, "xyz"[axis]);
     if (!object.contains(key)) continue;
-    const Json& pair = object.at(key);
+    const Json& pair = object[key];
     const Where here = where.key(key);
     if (!pair.is_array() || pair.size() != 2) here.fail("expected two numbers, found " + pair.dump());
     flaps.lo[axis] = to_number(pair[0], Format::binary64, here.index(0));
@@ -246,7 +239,7 @@ Light to_light(const Json& object, const Where& where) {
   require_keys(object, {"position", "colour", "aim", "concentration", "cone", "flaps"}, where);
   Light light{point_at(object, "position", where), {1, 1, 1}};
   read_colour(object, "colour", huge, light.colour, where);
-  if (object.contains("flaps")) light.flaps = to_flaps(object.at("flaps"), where.key("flaps"));
+  if (object.contains("flaps")) light.flaps = to_flaps(object["flaps"], where.key("flaps"));
   if (object.contains("aim")) light.aim = point_at(object, "aim", where);
   if (light.aim && *light.aim == light.position) where.key("aim").fail("expected another point than the position");
   for (const char* key : {"concentration", "cone"}) {
@@ -265,8 +258,8 @@ Scene to_scene(const Json& object, const Where& where) {
   scene.file = where.file;
   scene.camera = to_camera(require(object, "camera", where), where.key("camera"));
   read_colour(object, "background", 1, scene.background, where);
-  if (object.contains("description")) text_at(object.at("description"), where.key("description"));
-  if (object.contains("depth")) scene.depth = integer_in(object.at("depth"), 1, 16, where.key("depth"));
+  if (object.contains("description")) text_at(object["description"], where.key("description"));
+  if (object.contains("depth")) scene.depth = integer_in(object["depth"], 1, 16, where.key("depth"));
   read_number(object, "bias", 0, 0.01, scene.bias, where);
   const Json& solids = array_at(object, "solids", where);
   if (solids.empty()) where.key("solids").fail("expected at least one solid");

@@ -118,20 +118,20 @@ void Departures::near_sides(std::span<NearQuestion> questions) {
   }
 }
 
-Start Departures::near_side(const HitPoint& at) {
+Departure Departures::near_side(const HitPoint& at) {
   NearQuestion q{&at};
   near_sides({&q, 1});
   return q.start;
 }
 
 template <class X>
-Behind Departures::left_behind(const HitPoint& at, const Start& start, const X& target) {
+Behind Departures::left_behind(const HitPoint& at, const Departure& start, const X& target) {
   const bool leaves = start.side != 0 && side_of(at.face, target) == start.side;
   return leaves ? Behind{at.face, start.side} : Behind{};
 }
 
-template Behind Departures::left_behind(const HitPoint&, const Start&, const Point3&);
-template Behind Departures::left_behind(const HitPoint&, const Start&, const Direction&);
+template Behind Departures::left_behind(const HitPoint&, const Departure&, const Point3&);
+template Behind Departures::left_behind(const HitPoint&, const Departure&, const Direction&);
 
 /// The k-th candidate beyond the face: five for each step length, one straight behind the rounded hit point and four
 /// that are also shifted along the face.
@@ -195,7 +195,7 @@ void Departures::far_sides(std::span<FarQuestion> questions) {
   }
 }
 
-Start Departures::far_side(const HitPoint& at, const Start& near) {
+Departure Departures::far_side(const HitPoint& at, const Departure& near) {
   FarQuestion q{&at, near};
   far_sides({&q, 1});
   return q.start;

@@ -52,7 +52,7 @@ struct HitPoint {
 };
 
 /// The start of a secondary ray, on one side of the face that was hit.
-struct Start {
+struct Departure {
   Point3 point;
   int side = 0;  ///< if the start is proved, the sign of orient3d(a, b, c, point), not zero; else 0
 };
@@ -60,15 +60,15 @@ struct Start {
 /// The query for a start on the side from which the face was hit, its answer, and what the answer cost.
 struct NearQuestion {
   const HitPoint* at = nullptr;
-  Start start{};
+  Departure start{};
   Cost cost{};
 };
 
 /// The query for a start beyond the face. `near` is the start that was found on the side from which it was hit.
 struct FarQuestion {
   const HitPoint* at = nullptr;
-  Start near;
-  Start start{};
+  Departure near;
+  Departure start{};
   Cost cost{};
 };
 
@@ -89,14 +89,14 @@ class Departures {
   void far_sides(std::span<FarQuestion> questions);
 
   /// The same for a single hit.
-  Start near_side(const HitPoint& at);
-  Start far_side(const HitPoint& at, const Start& near);
+  Departure near_side(const HitPoint& at);
+  Departure far_side(const HitPoint& at, const Departure& near);
 
   /// The face that was hit, as an excluded face, if the probe from the start to `target` (a point or a direction)
   /// stays strictly on the start's side of its plane; else no face. Without this, each shadow ray would be tested
   /// against the face that it starts next to, for which the filter fails most often.
   template <class X>
-  Behind left_behind(const HitPoint& at, const Start& start, const X& target);
+  Behind left_behind(const HitPoint& at, const Departure& start, const X& target);
 
  private:
   Point3 customary(const HitPoint& at, double side) const;

@@ -67,7 +67,7 @@ class WhittedTracer {
     Point3 view;
     const Material* material = nullptr;
     bool from_outside = false, departs = false;
-    Start near;  ///< on the viewer's side, if a ray departs
+    Departure near;  ///< on the viewer's side, if a ray departs
     Colour colour;
     std::uint32_t reflected = nothing, refracted = nothing;  ///< the paths of the rays that departed from the hit
   };

@@ -48,14 +48,14 @@ struct BuildRef {
 };
 
 /// The bounding box of a set of primitives, and that of their centres, times two.
-struct Extent {
+struct BinExtent {
   FrameBox box, centres;
 
   void add(const BuildRef& r) {
     box.add(r.box);
     centres.add(r.centre());
   }
-  void add(const Extent& e) {
+  void add(const BinExtent& e) {
     box.add(e.box);
     centres.add(e.centres);
   }

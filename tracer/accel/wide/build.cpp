@@ -66,12 +66,12 @@ using Nodes = std::vector<WideNode, LargePages<WideNode>>;
 /// A part of the primitives on its way to become a child.
 struct Part {
   Refs refs;
-  Extent extent;
+  BinExtent extent;
   std::uint32_t cuts = 0;  ///< how many cuts led from the whole set to this part
 };
 
-Extent extent_of(Refs refs) {
-  Extent e;
+BinExtent extent_of(Refs refs) {
+  BinExtent e;
   for (const BuildRef& r : refs) e.add(r);
   return e;
 }
@@ -134,14 +134,14 @@ class WideBuilder {
         });
   }
 
-  static Extent extent_in_parallel(Refs refs) {
+  static BinExtent extent_in_parallel(Refs refs) {
     return summed(
-        refs, Extent(),
-        [](Refs some, Extent e) {
+        refs, BinExtent(),
+        [](Refs some, BinExtent e) {
           e.add(extent_of(some));
           return e;
         },
-        [](Extent a, const Extent& b) {
+        [](BinExtent a, const BinExtent& b) {
           a.add(b);
           return a;
         });
