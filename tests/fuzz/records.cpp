@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "exact/base/files.h"
+#include "exact/base/output.h"
 #include "exact/cases/family_table.h"
 #include "exact/certificate/certificate.h"
 #include "exact/certificate/owed.h"
