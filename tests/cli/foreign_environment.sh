@@ -15,7 +15,7 @@ cd "$scratch"
 localedef -i de_DE -f UTF-8 "$scratch/de_DE.UTF-8"
 export LOCPATH=$scratch
 broken=$SOURCE_DIR/tests/plugin/broken.c
-try() { plugin broken "-D$1" "$broken"; shift; expect "$@" --plugin broken.so --method broken,mt-double --family affine --count 2000 --threads 2; }
+try() { plugin broken "-D$1" "$broken" || exit 1; shift; expect "$@" --plugin broken.so --method broken,mt-double --family affine --count 2000 --threads 2; }
 answers() { grep -v "cases, seed" out; } # that line has the time it took
 try PLAIN 1 fuzz && answers >plain
 try CHANGES_LOCALE 1 fuzz && diff plain <(answers)

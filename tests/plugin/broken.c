@@ -66,8 +66,8 @@ int ask(int probe, const double query[15]) {
 #endif
 #ifdef TRAPS
   feenableexcept(0x3d);
-  static volatile double three = 3, third;
-  third = 1 / three;
+  static volatile double three = 3;
+  three = 1 / three;
 #endif
 #ifdef CHANGES_LOCALE
   static locale_t comma;
