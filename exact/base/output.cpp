@@ -211,12 +211,16 @@ class OutputFile::Staged {
     if (!target_.is_direct()) require_writable();
   }
 
+  /// To standard output goes what shows as it is.
   void write(std::string_view bytes) {
-    if (is_shown_) return buffer(shown_lines(bytes));
-    buffer(bytes);
+    if (!is_shown_) return write_bytes(bytes);
+    unshown_ += bytes;
+    const std::size_t whole = whole_characters(unshown_);
+    write_bytes(shown_lines(std::string_view(unshown_).substr(0, whole)));
+    unshown_.erase(0, whole);
   }
 
-  void buffer(std::string_view bytes) {
+  void write_bytes(std::string_view bytes) {
     if (buffer_.size() + bytes.size() < buffered) {
       buffer_ += bytes;
       return;
@@ -233,6 +237,8 @@ class OutputFile::Staged {
 
   /// All that can fail before anything is changed. After it the file has its owner and mode, and is on the disk.
   void finish() {
+    write_bytes(shown_lines(unshown_));
+    unshown_.clear();
     spill();
     if (target_.kind == Target::Kind::regular) keep_owner_and_mode();
     if (temporary_ || adopted_) file_.flush(named_);
@@ -334,7 +340,7 @@ class OutputFile::Staged {
   std::string adopted_name_{};
   std::unique_ptr<Temporary> temporary_{};
   Descriptor file_{};
-  std::string buffer_{};
+  std::string buffer_{}, unshown_{};
   bool in_place_ = false;
   bool is_shown_ = false;  ///< as people read it, who may be at a terminal (shown.h)
 };

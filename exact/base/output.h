@@ -22,7 +22,7 @@ namespace tribunal {
 /// Whether files may still appear after a signal that asked for an end.
 enum class AfterSignal : bool { nothing, appears };
 
-/// One file, written from begin to end. "-" is standard output, which gets whole lines, as people read them (shown.h).
+/// One file, written from begin to end. "-" is standard output, which gets what shows as it is (shown.h).
 /// It appears by commit(); without that, nothing does, but for what went to a device or pipe directly.
 class OutputFile {
  public:

@@ -83,6 +83,17 @@ std::string shown(std::string_view text) { return shown_but(text, ""); }
 
 std::string shown_lines(std::string_view text) { return shown_but(text, "\n\t"); }
 
+std::size_t whole_characters(std::string_view text) {
+  for (std::size_t back = 1; back <= std::min<std::size_t>(3, text.size()); ++back) {
+    const char c = text[text.size() - back];
+    if (continues(c)) continue;
+    const auto lead = static_cast<unsigned char>(c);
+    const std::size_t bytes = lead < 0xc2 ? 1 : lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : lead < 0xf5 ? 4 : 1;
+    return bytes > back ? text.size() - back : text.size();
+  }
+  return text.size();
+}
+
 std::string shown_shortly(std::string_view text, std::size_t most) {
   const std::string whole = shown(text);
   if (whole.size() <= most) return whole;

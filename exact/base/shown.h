@@ -17,7 +17,10 @@ std::string shown(std::string_view text);
 /// The same for a text of several lines, in which line feeds and tabs stand as they are.
 std::string shown_lines(std::string_view text);
 
-/// The same on one line of at most about `most` bytes, without its middle if it is longer.
+/// How many bytes of a text that is to go on hold whole characters: all, but for the beginning of a last one.
+std::size_t whole_characters(std::string_view text);
+
+/// As `shown`, on one line of at most about `most` bytes, without its middle if it is longer.
 std::string shown_shortly(std::string_view text, std::size_t most);
 
 /// Whether every character shows as itself.

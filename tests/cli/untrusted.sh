@@ -13,6 +13,11 @@ expect 0 sweep --method mt-float --axis sliver --count 200 --out swept
 mkdir cut && sed 's/"easiest"/"x"/' swept/sweep.json >cut/sweep.json
 expect 3 report cut --out page.html && says err 'not as `sweep` is written' && [ "$(wc -l <err)" -eq 1 ]
 
+# Whole files on standard output too: the same JSON, with escapes.
+printf '{"id":"x\xc2\x9b\x7f\xe2\x80\xae","seg":[[0.25,0.25,1],[0.25,0.25,-1]],"tri":[[0,0,0],[1,0,0],[0,1,0]]}\n' >steers.jsonl
+expect 0 classify --method sf-double --in steers.jsonl && says out '"id":"x\u009b\u007f\u202e"'
+cp out steers-answers.jsonl && expect 0 judge --cases steers.jsonl --answers steers-answers.jsonl
+
 # A byte-order mark at the start of a file is no part of it, for every reader; elsewhere in it, it is an error.
 mark=$(printf '\xef\xbb\xbf')
 # marked FILE: the file again, with a mark before it.

@@ -87,6 +87,18 @@ TEST(Shown, LinesAndTabsStandInTextsOfSeveralLines) {
   EXPECT_EQ(shown_lines("a\n\tb\x1b\r\n"), "a\n\tb\\u001b\\u000d\n");
 }
 
+TEST(Shown, ATextThatGoesOnIsCutBetweenCharacters) {
+  const std::string text = "a€😀é\xff\xc3";
+  for (const auto& [size, whole] :
+       {std::pair{1, 1}, {2, 1}, {3, 1}, {4, 4}, {5, 4}, {7, 4}, {8, 8}, {9, 8}, {10, 10}, {11, 11}, {12, 11}}) {
+    EXPECT_EQ(whole_characters(std::string_view(text).substr(0, static_cast<std::size_t>(size))),
+              static_cast<std::size_t>(whole))
+        << size;
+  }
+  EXPECT_EQ(whole_characters(""), 0U);
+  EXPECT_EQ(whole_characters("\x80\x80\x80\x80"), 4U) << "no character begins";
+}
+
 TEST(Shown, LongTextsLoseTheirMiddle) {
   const std::string text = "file.jsonl:3: " + std::string(10'000, 'x') + ", expected less";
   const std::string line = shown_shortly(text, 1000);
