@@ -227,9 +227,9 @@ TEST(Bounds, AreReadAndWrittenExactly) {
     EXPECT_EQ(to_case(from_case(c), {"test"}).query.bounds, c.query.bounds);
   }
   EXPECT_EQ(read("[0,\"inf\"]").query.bounds->tmax, infinity);
-  for (const char* t :
-       {"[1]", "[-1,2]", "[2,1]", "[\"inf\",\"inf\"]", "[0,\"nan\"]", "[0,1e999]", "7", "[0,\"-inf\"]"}) {
-    EXPECT_THROW(read(t), Failure) << t;
+  for (const char* t : {"[1]", "[-1,2]", "[2,1]", "7", "[0,\"far\"]"}) EXPECT_THROW(read(t), Failure) << t;
+  for (const char* t : {"[\"inf\",\"inf\"]", "[0,\"nan\"]", "[0,\"-inf\"]", "[\"nan\",1]"}) {
+    EXPECT_FALSE(is_finite(read(t).query)) << t;
   }
   EXPECT_THROW(read("[0,0.1]", "binary32"), Failure);
   EXPECT_NO_THROW(read("[0.5,\"inf\"]", "binary32"));
