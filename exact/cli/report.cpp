@@ -41,7 +41,7 @@ int run(const Options& o) {
   if (!o.classes.empty() && o.plan.directories.empty()) return set.commit(), code(Exit::ok);
   if (o.plan.directories.empty()) throw Failure(Exit::usage, "report: no directory given, expected one with results");
   const Json report = gather_report(o.plan);
-  if (!o.json.empty()) set.add(o.json, report.dump() + "\n");
+  if (!o.json.empty()) set.add(o.json, report.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
   set.add(o.out, report_page(report));
   set.commit();
   if (o.out != "-" && o.json != "-" && o.classes != "-") print(in_words(report, o.out));

@@ -13,7 +13,7 @@ constexpr std::string_view place = "@TRIBUNAL_DATA@";
 
 std::string embeddable(const Json& report) {
   std::string text;
-  for (const char c : report.dump()) {
+  for (const char c : report.dump(-1, ' ', false, Json::error_handler_t::replace)) {
     if (c == '<') {
       text += "\\u003c";
     } else {

@@ -112,7 +112,8 @@ TEST(Solids, AreRefusedNamingThePlace) {
   EXPECT_NE(refusal("").find("s.json: is empty"), std::string::npos);
   EXPECT_NE(refusal(points + R"("faces": [[[0,1,2],[0,1]]]})").find("faces[0][1]: expected an array"),
             std::string::npos);
-  EXPECT_NE(refusal(points + R"("faces": [[[0,1,3]]]})").find("faces[0][0][2]: expected a vertex"), std::string::npos);
+  EXPECT_NE(refusal(points + R"("faces": [[[0,1,3]]]})").find("faces[0][0][2]: expected a whole number from 0 to 2"),
+            std::string::npos);
   EXPECT_NE(refusal(points + R"("fases": []})").find("did you mean \"faces\""), std::string::npos);
   EXPECT_NE(refusal(points + R"("faces": []})").find("at least one face"), std::string::npos);
 }

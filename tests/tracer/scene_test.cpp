@@ -62,7 +62,7 @@ TEST(ReadScene, RefusesBadScenesNamingThePlace) {
       {with("\"diffuse\": 0.5", "\"scale\": 0"), "solids[0].scale"},
       {with("\"diffuse\": 0.5", "\"scale\": 1e308, \"translate\": [1e308, 1e308, 1e308]"), "leave binary64"},
       {with("\"diffuse\": 0.5", "\"mesh\": \"t.off\""), "either \"mesh\""},
-      {with("[[0, 1, 2]]", "[[0, 1, 3]]"), "solids[0].faces[0][2]: expected a vertex index from 0 to 2"},
+      {with("[[0, 1, 2]]", "[[0, 1, 3]]"), "solids[0].faces[0][2]: expected a whole number from 0 to 2, found 3"},
       {with("[[0, 1, 2]]", "[[0, 1, -1]]"), "solids[0].faces[0][2]"},
       {with("[[0, 1, 2]]", "[[0, 1]]"), "solids[0].faces[0]: expected an array of at least 3"},
       {with("[[0, 1, 2]]", "[]"), "solids[0].faces: expected at least one face"},

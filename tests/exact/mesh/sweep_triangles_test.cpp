@@ -315,14 +315,15 @@ double seconds(const Outline3& outline) {
   return least;
 }
 
-/// The time of four times as many corners would be 16 times as long by a method whose cost is the square.
+/// The time of four times as many corners would be 16 times as long by a method whose cost is the square; n log n says
+/// 4.6, and caches that no longer hold all of it make that up to 8.
 TEST(SweepTriangles, AHundredThousandCornersTakeTwoSecondsAndNoSquare) {
   for (const Shape& shape : shapes) {
     SCOPED_TRACE(shape.name);
     const double quarter = seconds(shape.make(25'000)), whole = seconds(shape.make(100'000));
     RecordProperty(shape.name, std::to_string(whole));
     EXPECT_LE(whole, 2);
-    EXPECT_LE(whole, 6 * std::max(quarter, 0.005));
+    EXPECT_LE(whole, 9 * std::max(quarter, 0.005));
   }
 }
 

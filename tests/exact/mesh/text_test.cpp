@@ -74,7 +74,7 @@ TEST(Text, TellsTheLineOfANulByte) {
 }
 
 TEST(Text, QuotesWhatIsShortAndPrintable) {
-  EXPECT_EQ(in_quotes("a\x01\x7f"), "\"a??\"");
+  EXPECT_EQ(in_quotes("a\x01\x7f"), "\"a\\u0001\\u007f\"");
   EXPECT_EQ(in_quotes(std::string(1 << 20, 'x')), "\"" + std::string(32, 'x') + "…\"");
 }
 
