@@ -76,8 +76,18 @@ struct Start {
   void* with;
 };
 
-/// Before static objects are made, as is the repair of the floating-point environment.
-[[gnu::constructor(101)]] void install_early() { tribunal::install_last_resort(); }
+/// Before static objects are made, as is the repair of the floating-point environment. All are looked up here: where the
+/// first call of one comes from inside dlopen, dlsym would free the state of an error that dlopen still writes to.
+[[gnu::constructor(101)]] void install_early() {
+  tribunal::install_last_resort();
+  next_malloc.get();
+  next_calloc.get();
+  next_realloc.get();
+  next_aligned_alloc.get();
+  next_memalign.get();
+  next_posix_memalign.get();
+  next_pthread_create.get();
+}
 
 /// A thread of ours. Where its environment cannot be repaired, the exception ends the program.
 extern "C" void* begin(void* given) {

@@ -51,7 +51,7 @@ Along along(const Record& r, std::vector<std::string> axes, const std::string& m
   return a;
 }
 
-constexpr std::int64_t least_value = -1'000'000, most_value = 1'000'000;  ///< of an axis
+constexpr std::int64_t least_value = -(std::int64_t{1} << 53), most_value = std::int64_t{1} << 53;  ///< of an axis
 
 /// How far along its side of the axis a threshold lies: 0 at the easiest value, 1 at the last.
 double progress_of(const Record& threshold, const Record& axis) {
