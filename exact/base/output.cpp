@@ -524,8 +524,9 @@ TemporaryDirectory::TemporaryDirectory(const std::string& parent) {
 }
 
 TemporaryDirectory::~TemporaryDirectory() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
+  std::error_code error;
+  fs::remove_all(path_, error);
+  if (error) fs::remove_all(path_, error);  // what failed once, as under memory pressure, may succeed now
 }
 
 bool is_special(const std::string& path) {

@@ -105,7 +105,7 @@ expect 0 methods --plugin mine.so --plugin other.so && says out 'my-mt ' && says
 expect 2 methods --plugin mine.so --plugin planted.so && says err 'planted.so: there is a method called my-mt already'
 plugin taken -DNAME='"sf-double"' "$broken"
 expect 2 methods --plugin taken.so && says err 'there is a method called sf-double already'
-expect 2 fuzz --plugin mine.so && says err '--method'
+expect 1 fuzz --plugin mine.so --count 4000 && says out 'my-mt: wrong' && lacks out 'sf-double'
 
 # no_plugin FILE MESSAGE: refused with one line that starts with the file and says this.
 no_plugin() {

@@ -48,7 +48,8 @@ bad() { echo "$1" >bad.jsonl; expect 3 classify --method sf-double --in bad.json
 bad '{"id":"x","seg":[[0,0,1],[0,0,-1]],"rings":[]}' 'bad.jsonl:1: rings: expected an array of at least one ring'
 bad '{"id":"x","seg":[[0,0,1],[0,0,-1]],"rings":[[]]}' 'rings[0]: expected an array of at least one point'
 bad '{"id":"x","seg":[[0,0,1],[0,0,-1]],"rings":[[[0,0]]]}' 'rings[0][0]'
-bad '{"id":"x","seg":[[0,0,1],[0,0,-1]],"rings":[[[0,0,1e999]]]}' 'bad.jsonl:1: '
+echo '{"id":"x","seg":[[0,0,1],[0,0,-1]],"rings":[[[0,0,1e999]]]}' >far.jsonl
+expect 0 classify --method sf-double --in far.jsonl && says out '"status":"nonfinite"'
 bad '{"id":"x","seg":[[0,0,1],[0,0,-1]],"rings":[[[0,0,0]]],"tri":[[0,0,0],[1,0,0],[0,1,0]]}' 'found both'
 bad '{"id":"x","seg":[[0,0,1],[0,0,-1]],"rings":[[[0,0,0]]],"class":"C017"}' 'has no class'
 bad '{"id":"x","fmt":"binary32","seg":[[0,0,1],[0,0,-1]],"rings":[[[0,0,0.1]]]}' 'rings[0][0]'

@@ -11,7 +11,7 @@ expect 1 fuzz --method mt-float --count 2000 --keep 1 --out fuzzed
 expect 0 sweep --method mt-float --axis sliver --count 200 --out swept
 # A record without a key: an error while a line of the page is made, which ended in a destructor of another type.
 mkdir cut && sed 's/"easiest"/"x"/' swept/sweep.json >cut/sweep.json
-expect 3 report cut --out page.html && says err 'not as `sweep` is written' && [ "$(wc -l <err)" -eq 1 ]
+expect 3 report cut --out page.html && says err 'cut/sweep.json: axes[0]: missing "easiest"' && [ "$(wc -l <err)" -eq 1 ]
 
 # Whole files on standard output too: the same JSON, with escapes.
 printf '{"id":"x\xc2\x9b\x7f\xe2\x80\xae","seg":[[0.25,0.25,1],[0.25,0.25,-1]],"tri":[[0,0,0],[1,0,0],[0,1,0]]}\n' >steers.jsonl

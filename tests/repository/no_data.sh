@@ -12,6 +12,7 @@ exact/outcome_test.cpp Causes.WitnessesOfPublishedFailuresAreLogic
 exact/rivals_test.cpp Rivals.AreWrongOnTheirWitnesses
 exact/severity_test.cpp Plain.NoSoundTestIsWrongThereOnAMesh Plain.PublishedFailuresAre
 exact/case_files_test.cpp CaseFiles.*
+exact/scan_test.cpp CaseScan.ReadsTheCorporaAsTheLibraryDoes
 tracer/render_test.cpp Compare.CasesShowTheDifference Render.ExactMethodsLeaveNoCracks
 tracer/framed_test.cpp FramedScene.*
 tracer/departure_test.cpp Departures.AreProvedAtVerticesEdgesAndFaces Departures.AreCustomaryForInexactMethods

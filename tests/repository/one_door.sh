@@ -31,7 +31,7 @@ breach 'files are renamed and removed by exact/base/output.h' < <(code \
   except 'exact/base/spool\.cpp')
 breach 'the file system is asked by exact/base/files.h, which turns a refusal into bad input; elsewhere names alone' < <(code \
   '\b(std::filesystem|fs)::[a-z_]+' | grep -E '(std::filesystem|fs)::([^p]|p[^a])' || true)
-breach 'handlers of signals are set by exact/base/interrupt.cpp' < <(code '\bsigaction\(|\bstd::signal\((SIGINT|SIGTERM|SIGHUP)|\bsigwait' |
-  except 'exact/base/interrupt\.cpp')
+breach 'handlers of signals are set by exact/base/interrupt.cpp, and of what ends the program by sudden_end.cpp' < <(code '\bsigaction\(|\bstd::signal\((SIGINT|SIGTERM|SIGHUP)|\bsigwait' |
+  except 'exact/base/(interrupt|sudden_end)\.cpp')
 
 [ "$breaches" -eq 0 ]
