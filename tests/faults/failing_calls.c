@@ -1,5 +1,6 @@
 /* A library to preload: the FAIL_AT-th call of those below, counted together, fails with FAIL_ERRNO, and the file
- * FAIL_MARK is made, so that the caller knows that there was such a call. With FAIL_SHORT a write succeeds instead, by
+ * FAIL_MARK is made and holds "number call what", so that the caller knows which it was: of a call that is given a
+ * descriptor, `what` is "reading NAME", "writing NAME", or "unnamed" for a file that no directory holds. With FAIL_SHORT a write succeeds instead, by
  * one byte. FAIL_AT=0 fails none. FAIL_LOG is given one line a call. FAIL_PYTHON is run instead of any other program.
  * Children are not touched, and a name that starts with one of FAIL_SKIP (separated by ':') does not count: the
  * program's libraries open files of their own.
@@ -12,8 +13,10 @@
 #include <stdarg.h>
 #include <stdatomic.h>
 #include <stdio.h>
+#include <stdio_ext.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
 #include <sys/types.h>
@@ -78,6 +81,22 @@ static int fails(const char* call, const char* name) {
   return 1;
 }
 
+/* What a descriptor is open for. */
+static const char* use_of(int fd) {
+  static _Thread_local char text[4200];
+  char link[32], name[4096];
+  struct stat status;
+  const int flags = fcntl(fd, F_GETFL);
+  if (flags < 0 || fstat(fd, &status) != 0) return "nothing";
+  if ((flags & O_ACCMODE) != O_RDONLY && status.st_nlink == 0) return "unnamed";
+  snprintf(link, sizeof link, "/proc/self/fd/%d", fd);
+  const long length = syscall(SYS_readlinkat, AT_FDCWD, link, name, sizeof name - 1);
+  name[length < 0 ? 0 : length] = '\0';
+  if (is_skipped(name)) return skipped;
+  snprintf(text, sizeof text, "%s %s", (flags & O_ACCMODE) == O_RDONLY ? "reading" : "writing", name);
+  return text;
+}
+
 #define REAL(name) ((__typeof__(&name))dlsym(RTLD_NEXT, #name))
 
 #define OPEN(name)                                                                \
@@ -106,7 +125,7 @@ FILE* fopen64(const char* path, const char* mode) { return fails("fopen64", path
 
 /* What goes to standard error is not counted: nobody could say that it failed. */
 ssize_t write(int fd, const void* bytes, size_t size) {
-  if (fd != STDERR_FILENO && fails("write", NULL)) {
+  if (fd != STDERR_FILENO && fails("write", use_of(fd))) {
     if (!fail_short) return -1;
     return syscall(SYS_write, fd, bytes, size > 0 ? 1 : 0);
   }
@@ -114,26 +133,35 @@ ssize_t write(int fd, const void* bytes, size_t size) {
 }
 
 ssize_t read(int fd, void* bytes, size_t size) {
-  if (fails("read", NULL)) return -1;
+  if (fails("read", use_of(fd))) return -1;
   return syscall(SYS_read, fd, bytes, size);
 }
 
 /* The descriptor is closed, as Linux does it. */
 int close(int fd) {
-  const int failed = fails("close", NULL);
+  const int failed = fails("close", use_of(fd));
   const int result = (int)syscall(SYS_close, fd);
   if (failed) errno = fail_errno;
   return failed ? -1 : result;
 }
 
+/* The disk, which takes its time, is not waited for: nobody turns the power off. */
+int fsync(int fd) { return fails("fsync", use_of(fd)) ? -1 : 0; }
+
 #define SIMPLE(type, name, parameters, arguments, path) \
   type name parameters { return fails(#name, path) ? -1 : REAL(name) arguments; }
-SIMPLE(int, fsync, (int fd), (fd), NULL)
-SIMPLE(int, fchmod, (int fd, mode_t mode), (fd, mode), NULL)
-SIMPLE(int, fchown, (int fd, uid_t u, gid_t g), (fd, u, g), NULL)
+SIMPLE(int, fchmod, (int fd, mode_t mode), (fd, mode), use_of(fd))
+SIMPLE(int, fchown, (int fd, uid_t u, gid_t g), (fd, u, g), use_of(fd))
+SIMPLE(ssize_t, pread, (int fd, void* to, size_t size, off_t at), (fd, to, size, at), use_of(fd))
+SIMPLE(ssize_t, pread64, (int fd, void* to, size_t size, off64_t at), (fd, to, size, at), use_of(fd))
+SIMPLE(ssize_t, pwrite, (int fd, const void* from, size_t size, off_t at), (fd, from, size, at), use_of(fd))
+SIMPLE(ssize_t, pwrite64, (int fd, const void* from, size_t size, off64_t at), (fd, from, size, at), use_of(fd))
+SIMPLE(int, mkstemp, (char* name), (name), name)
+SIMPLE(int, mkstemp64, (char* name), (name), name)
+SIMPLE(int, memfd_create, (const char* name, unsigned flags), (name, flags), name)
 SIMPLE(int, rename, (const char* a, const char* b), (a, b), b)
 SIMPLE(int, renameat, (int d, const char* a, int e, const char* b), (d, a, e, b), b)
-SIMPLE(int, fflush, (FILE * f), (f), f == stderr ? skipped : NULL)
+SIMPLE(int, fflush, (FILE * f), (f), f == stderr ? skipped : f != NULL && __fpending(f) == 0 ? "nothing" : "what waits")
 SIMPLE(int, mkdir, (const char* path, mode_t mode), (path, mode), path)
 
 int posix_spawnp(pid_t* pid, const char* file, const posix_spawn_file_actions_t* actions,

@@ -1,6 +1,6 @@
 # Sourced by scripts that have sourced tests/cli/common.bash: every call of a small run that touches a file fails once.
 # After each the exit code tells, one line says why, no temporary file is left, and what the command writes is as it was
-# before or as a run without faults leaves it.
+# before or as a run without faults leaves it. Success is one of may_be_ignored.
 ${CC:-cc} -std=gnu11 -Wall -Wextra -Werror -O1 -shared -fPIC -o "$scratch/failing_calls.so" "$SOURCE_DIR/tests/faults/failing_calls.c" -ldl
 tried=0 broken=0
 
@@ -36,6 +36,18 @@ as_before_or_after() {
 }
 between() { false; }
 
+# may_be_ignored: whether a run may succeed although this call failed, since nothing that it promises rests on the call: a
+# file that was only read is closed, or one without a name, which nobody will read; nothing waits to be flushed; the scratch
+# directory of a drawing is removed, which is tried twice; a write takes a part, and the rest is written after it. Where the
+# system refuses (EACCES), the door has another way: a file is not renamed but copied.
+may_be_ignored() {
+  case "$error_name $(cut -d' ' -f2- mark)" in
+    *' close reading '* | *' close unnamed' | *' fflush nothing' | *' openat '*.tribunal-*-figures-*.tmp | 'short write '*) ;;
+    'EACCES renameat '* | 'EACCES openat '*.tribunal-*.tmp) ;;
+    *) return 1 ;;
+  esac
+}
+
 # fail_each ERRNO NAME BEFORE ARG…: runs the command, which writes to out/, with the n-th call failing, for n = 1, 2, …
 # until there is no n-th call. out/ is a copy of BEFORE each time; "none": it is not there.
 fail_each() {
@@ -62,7 +74,9 @@ fail_each() {
     [ -e mark ] || break
     tried=$((tried + 1))
     case $status in
-      "$usual") [ "$(tree out)" = "$after" ] || broke "success, and not what it should be" ;;
+      "$usual")
+        may_be_ignored || broke "success, as if nothing had failed"
+        [ "$(tree out)" = "$after" ] || broke "success, and not what it should be" ;;
       3 | 5 | 7)
         [ "$(wc -l <err)" -eq 1 ] || broke "exit $status, and not one line"
         as_before_or_after || { broke "exit $status, and out/ is neither as before nor complete"; diff <(echo "$before") <(tree out) >&2 || true; } ;;

@@ -5,6 +5,8 @@ cd "$scratch"
 . "$SOURCE_DIR/tests/faults/loop.bash"
 "$TRIBUNAL" cases --count 20 --family affine --out cases.jsonl
 "$TRIBUNAL" classify --method mt-float --in cases.jsonl --out answers.jsonl
+"$TRIBUNAL" fuzz --method mt-float --count 4000 --family affine --keep 1 --out found >said || [ $? -eq 1 ]
+head -n 1 found/counterexamples.jsonl >wrong.jsonl
 mkdir old && echo old >old/answers.jsonl
 scene=$SOURCE_DIR/data/scenes/cube.json
 [ -e "$scene" ] || scene=$(find "$SOURCE_DIR/data/scenes" -name '*.json' | sort | head -n 1)
@@ -27,7 +29,7 @@ while read -r error name; do
   rm -rf earlier
   fail_each "$error" "$name" old classify --method mt-float --in cases.jsonl --out out/answers.jsonl
   fail_each "$error" "$name" old cases --count 5 --out out/answers.jsonl
-  fail_each "$error" "$name" old shrink cases.jsonl --method mt-float --out out/answers.jsonl
+  fail_each "$error" "$name" old shrink wrong.jsonl --method mt-float --out out/answers.jsonl
 
   made earlier judge --cases cases.jsonl --answers answers.jsonl --convention open --out out
   both judge --cases cases.jsonl --answers answers.jsonl --out out
@@ -41,7 +43,7 @@ while read -r error name; do
   both leak tetra.off --method mt-float --rays 2000 --out out
   rm -rf earlier && made earlier leak tetra.off --rays-out out --rays 10 --seed 2
   both leak tetra.off --rays-out out --rays 10
-  rm -rf earlier && mkdir out && made earlier fuzz --method mt-float --count 4000 --family affine --out out
+  rm -rf earlier && made earlier fuzz --method mt-float --count 4000 --family affine --out out
   fail_each "$error" "$name" earlier report out --out out/page.html --json out/page.json
 
   # A record is sound by itself where its figures are missing: none of another record stands beside it.
