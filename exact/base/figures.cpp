@@ -24,8 +24,24 @@
 namespace tribunal {
 namespace {
 
-/// How a script ended: it was not run, a module was missing, a signal ended it, it could not draw the record, or well.
-enum class Ending : std::uint8_t { no_python, no_module, killed, refused, well };
+/// How a script ended: it was not run, a module was missing, a signal ended it, Python itself gave up, it could not
+/// write, it could not draw the record, or well.
+enum class Ending : std::uint8_t { no_python, no_module, killed, gave_up, unwritten, refused, well };
+
+Ending ending_of(int exit) {
+  switch (exit) {
+    case 0:
+      return Ending::well;
+    case script_refuses_record:
+      return Ending::refused;
+    case script_lacks_module:
+      return Ending::no_module;
+    case script_cannot_write:
+      return Ending::unwritten;
+    default:
+      return Ending::gave_up;
+  }
+}
 
 /// Signals that we ignore are no concern of a child.
 class Attributes {
@@ -69,9 +85,7 @@ class Script {
     if (posix_spawnp(&child, interpreter, &output_, attributes.get(), arguments, environ) != 0)
       return Ending::no_python;
     const int status = status_of(child);
-    if (!WIFEXITED(status)) return Ending::killed;
-    if (WEXITSTATUS(status) == 0) return Ending::well;
-    return WEXITSTATUS(status) == script_lacks_module ? Ending::no_module : Ending::refused;
+    return WIFEXITED(status) ? ending_of(WEXITSTATUS(status)) : Ending::killed;
   }
 
   /// By Debian's own Python, or where that lacks anything, by the one in PATH.
@@ -138,7 +152,7 @@ bool is_figure(const std::string& file, const FigureNames& names) {
 
 /// What the script said, where people find it.
 void keep_log(const std::string& log, const std::string& directory) {
-  if (exists(log)) write_file(directory + "/plot.log", read_file(log));
+  if (exists(log)) write_file(directory + "/plot.log", shown_lines(read_file(log)));
 }
 
 /// Moves all that was drawn into the directory.
@@ -182,6 +196,8 @@ std::vector<std::string> draw_figures(const std::string& directory, const std::s
                                        log + " says more, " + record + " holds the numbers");
   }
   if (ending == Ending::killed) throw Failure(Exit::resources, "no figures: a signal ended " + plot.file());
+  if (ending == Ending::gave_up) throw Failure(Exit::resources, "no figures: Python gave up, " + log + " says why");
+  if (ending == Ending::unwritten) throw Failure(Exit::output_failed, "cannot write the figures, " + log + " says why");
   if (ending == Ending::refused) {
     throw bad_input(path, 0, "not as this version writes it, " + log + " says where");
   }

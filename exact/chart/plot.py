@@ -14,6 +14,7 @@ wide as a paper's column. A method that was never wrong stands in a band of its 
 import json
 import os
 import sys
+import traceback
 
 sys.dont_write_bytecode = True
 try:
@@ -305,4 +306,11 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    try:
+        main()
+    except OSError:
+        traceback.print_exc()
+        sys.exit(74)  # script_cannot_write
+    except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError):
+        traceback.print_exc()
+        sys.exit(65)  # script_refuses_record

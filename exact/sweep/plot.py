@@ -12,6 +12,7 @@ import json
 import math
 import os
 import sys
+import traceback
 
 try:
     import matplotlib
@@ -368,4 +369,11 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    try:
+        main()
+    except OSError:
+        traceback.print_exc()
+        sys.exit(74)  # script_cannot_write
+    except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError):
+        traceback.print_exc()
+        sys.exit(65)  # script_refuses_record

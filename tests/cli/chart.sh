@@ -38,6 +38,18 @@ echo 'raise ModuleNotFoundError("none", name="matplotlib")' >bare/matplotlib.py
 export PYTHONPATH=$PWD/bare
 expect 7 chart --redraw again
 says err 'python3 with matplotlib'
+# For want of memory, wherever it runs out, nothing is said of the record; nor where a figure cannot be written.
+echo 'raise MemoryError' >bare/matplotlib.py
+expect 7 chart --redraw again && says err 'Python gave up' && grep -q MemoryError again/plot.log
+rm bare/matplotlib.py && printf 'import json\ndef load(file): raise MemoryError\njson.load = load\n' >bare/sitecustomize.py
+expect 7 chart --redraw again && says err 'Python gave up' && grep -q MemoryError again/plot.log
+printf 'import json\ndef load(file): raise OSError(28, "No space left on device")\njson.load = load\n' >bare/sitecustomize.py
+expect 5 chart --redraw again && says err 'cannot write the figures' && grep -q 'No space left' again/plot.log
+# What Python says is text from elsewhere too.
+printf 'import json\ndef load(file): raise KeyError("a\\x1b[31m\\u202e") from Exception("b\\x1b[31m\\u202e\\udcff")\njson.load = load\n' >bare/sitecustomize.py
+expect 3 chart --redraw again && grep -q 'Exception: b.u001b' again/plot.log
+lacks again/plot.log $'\e'
+rm bare/sitecustomize.py
 unset PYTHONPATH
 sed 's/"yardstick": "mt-double"/"yard": "mt-double"/' charts/chart.json >older/chart.json
 expect 3 chart --redraw older
