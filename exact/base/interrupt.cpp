@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "exact/base/failure.h"
+#include "exact/base/shown.h"
 #include "exact/base/temporaries.h"
 
 namespace tribunal {
@@ -101,7 +102,7 @@ OrderlyEnd::~OrderlyEnd() { --orderly; }
 UnbrokenEnd::UnbrokenEnd() { ++unbroken; }
 UnbrokenEnd::~UnbrokenEnd() { --unbroken; }
 
-IfInterrupted::IfInterrupted(std::string text) : note_(std::move(text)), before_(note) { note = note_.c_str(); }
+IfInterrupted::IfInterrupted(std::string text) : note_(shown(text)), before_(note) { note = note_.c_str(); }
 IfInterrupted::~IfInterrupted() { note = before_; }
 
 }  // namespace tribunal

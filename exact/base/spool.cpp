@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "exact/base/failure.h"
+#include "exact/base/shown.h"
 
 namespace tribunal {
 namespace {
@@ -90,7 +91,9 @@ void Spool::for_each_piece(const std::function<void(std::string_view)>& visit) c
   for (std::uint64_t offset = 0; offset < size();) {
     std::string piece = at(offset, piece_size);
     const std::size_t newline = piece.rfind('\n');
-    if (offset + piece.size() < size() && newline != std::string::npos) piece.resize(newline + 1);
+    if (offset + piece.size() < size()) {
+      piece.resize(newline != std::string::npos ? newline + 1 : whole_characters(piece));
+    }
     visit(piece);
     offset += piece.size();
   }

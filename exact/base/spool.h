@@ -31,7 +31,7 @@ class Spool {
   std::string at(std::uint64_t offset, std::size_t size) const;
 
   /// Calls `visit` with all of the text, piece by piece. A piece ends with a line, but where a line has no end within
-  /// 256 KiB.
+  /// 256 KiB: then with a character of UTF-8.
   void for_each_piece(const std::function<void(std::string_view)>& visit) const;
 
  private:

@@ -10,12 +10,24 @@
 #include <new>
 #include <system_error>
 
+#include "exact/base/shown.h"
 #include "exact/base/temporaries.h"
 
 namespace tribunal {
 namespace {
 
+constexpr std::size_t longest_last_line = 1000;
+
 bool is_child = false;
+
+/// Its text may hold what others wrote.
+[[noreturn]] void end_with(const Failure& failure) noexcept {
+  try {
+    end_at_once(failure.exit(), shown_shortly(failure.what(), longest_last_line - 10));
+  } catch (const std::bad_alloc&) {
+    end_without_memory();
+  }
+}
 
 [[noreturn]] void on_terminate() {
   if (std::current_exception()) {
@@ -24,7 +36,7 @@ bool is_child = false;
     } catch (const std::bad_alloc&) {
       end_without_memory();
     } catch (const Failure& failure) {
-      end_at_once(failure.exit(), failure.what());
+      end_with(failure);
     } catch (const std::system_error& error) {
       if (error.code() == std::errc::not_enough_memory) end_without_memory();
     } catch (...) {
@@ -49,11 +61,12 @@ void end_at_once(Exit exit, std::string_view line) noexcept {
   remove_temporaries();
   constexpr std::string_view start = "tribunal: ";
   constexpr std::string_view over_progress = "\r\x1b[K";  // which may stand on a terminal's line
-  char text[over_progress.size() + start.size() + 1000 + 1];
+  char text[over_progress.size() + start.size() + longest_last_line + 1];
   char* end = text;
   if (isatty(STDERR_FILENO)) end = std::copy(over_progress.begin(), over_progress.end(), end);
   end = std::copy(start.begin(), start.end(), end);
-  end = std::copy_n(line.begin(), std::min<std::size_t>(line.size(), 1000), end);
+  line = line.substr(0, longest_last_line);
+  end = std::copy_n(line.begin(), whole_characters(line), end);
   *end++ = '\n';
   [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text, static_cast<std::size_t>(end - text));
   _exit(code(exit));
