@@ -220,12 +220,27 @@ std::vector<Finding> in_order(const FirstFindings& kept, std::size_t streams) {
   return findings;
 }
 
-/// Goes on from the report until case `last` or `stop`, by whole blocks.
-void run_slice(const FuzzPlan& plan, std::uint64_t last, FuzzReport& report, Progress& progress,
-               const std::function<bool()>& stop) {
+/// One a thread, for all slices: their tables are most of the memory of a run, and are allocated once.
+std::vector<Worker> workers_of(const FuzzPlan& plan) {
   const FuzzReport empty = empty_report(plan);
   std::vector<Worker> workers(plan.threads, Worker{.counts = empty.counts, .errors = empty.errors});
   for (unsigned w = 0; w < plan.threads; ++w) workers[w].number = w;
+  return workers;
+}
+
+/// Has found nothing yet. The rows of the table, empty now, keep their memory.
+void forget(Worker& worker, const FuzzReport& empty) {
+  worker.counts = empty.counts;
+  worker.errors = empty.errors;
+  worker.findings.clear();
+  worker.wrong = worker.audited = 0;
+}
+
+/// Goes on from the report until case `last` or `stop`, by whole blocks.
+void run_slice(const FuzzPlan& plan, std::uint64_t last, FuzzReport& report, std::vector<Worker>& workers,
+               Progress& progress, const std::function<bool()>& stop) {
+  const FuzzReport empty = empty_report(plan);
+  for (Worker& w : workers) forget(w, empty);
   const std::uint64_t start = report.cases;
   const auto begin_of = [&](std::size_t block) {
     return std::min(last, start + block * block_size_of(plan.operands()));
@@ -285,10 +300,11 @@ FuzzReport fuzz(const FuzzPlan& plan, FuzzReport so_far, const Checkpoint& check
   constexpr double seconds_between_checkpoints = 60;
   Progress progress(plan.label, "cases", plan.seconds > 0 ? 0 : plan.cases - so_far.cases);
   double saved = progress.elapsed();
+  std::vector<Worker> workers = workers_of(plan);
   while (!is_complete(plan, so_far)) {
     const auto is_due = [&] { return checkpoint && progress.elapsed() - saved > seconds_between_checkpoints; };
     const auto stop = [&] { return (plan.seconds > 0 && progress.elapsed() > plan.seconds) || is_due(); };
-    run_slice(plan, plan.until_first ? next_look(plan, so_far.cases) : plan.cases, so_far, progress, stop);
+    run_slice(plan, plan.until_first ? next_look(plan, so_far.cases) : plan.cases, so_far, workers, progress, stop);
     so_far.seconds = progress.elapsed();
     if (plan.until_first && so_far.findings.size() > 1)
       so_far.findings.erase(so_far.findings.begin() + 1, so_far.findings.end());

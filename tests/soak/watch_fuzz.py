@@ -2,8 +2,8 @@
 """Runs fuzz for a time and watches it: watch_fuzz.py TRIBUNAL triangles|polygons SECONDS OUT
 
 Memory is what /proc says; the rate is of cases a second of processor time, so that other work on the machine does not count;
-the cases so far are read off the progress line, which fuzz draws on a terminal. The first quarter of the run is warm-up; of the
-rest the last third is held against the first: the median of memory, since writing a checkpoint takes some for a moment, and the
+the cases so far are read off the progress line, which fuzz draws on a terminal. The first quarter of the run is warm-up, and so is
+the time to the first checkpoint, which is when the table of all counts is made beside those of the threads; of the rest the last third is held against the first: the median of memory, since writing a checkpoint takes some for a moment, and the
 rate. Writes OUT.count ("tried broke") and OUT.say, what was seen in words.
 """
 import json
@@ -20,6 +20,7 @@ RIGHT, CAUGHT = "sf-filtered", "sf-double"
 MORE_MEMORY, LESS_RATE = 1.05, 0.85  # of the last third over the first
 PROGRESS = re.compile(rb"([0-9.]+(?:e\+?[0-9]+)?)( [kMG])? cases  ")
 UNITS = {None: 1, b" k": 1e3, b" M": 1e6, b" G": 1e9}
+FIRST_CHECKPOINT = 70  # seconds, after 60
 TICKS = os.sysconf("SC_CLK_TCK")
 
 
@@ -68,7 +69,8 @@ def watch(command, seconds):
 
 
 def thirds(samples, seconds):
-    warm = [s for s in samples if s[0] > seconds / 4]
+    start = max(seconds / 4, FIRST_CHECKPOINT if seconds > 2 * FIRST_CHECKPOINT else 0)
+    warm = [s for s in samples if s[0] > start]
     return warm[: len(warm) // 3], warm[-(len(warm) // 3) :]
 
 
