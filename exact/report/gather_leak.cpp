@@ -7,7 +7,9 @@ namespace tribunal {
 namespace {
 
 /// Leaks are worse than any other error; errors beside them are wrong answers on the boundaries of faces.
-ReportLine leak_line(std::size_t run, const Record& subject, const std::string& fmt, const std::string& mesh) {
+/// Of a mesh that is not closed, or of which that is not said, nothing is said about being watertight.
+ReportLine leak_line(std::size_t run, const Record& subject, const Record& trial, const std::string& mesh) {
+  const std::string fmt = trial.text("fmt");
   const Record all = subject.member("all");
   const std::uint64_t rays = number_in(all, "rays"), leaks = number_in(all, "leak");
   std::uint64_t others = 0;
@@ -25,10 +27,15 @@ ReportLine leak_line(std::size_t run, const Record& subject, const std::string& 
                : number_in(all, "fault") > 0 ? Level::fault
                : others > 0                  ? Level::boundary
                                              : Level::nothing;
-  line.text = leaks > 0    ? name + ": " + share_in_words(leaks, rays) + " " + fmt + " rays leak through " + mesh
-              : others > 0 ? name + ": watertight on " + std::to_string(rays) + " " + fmt + " rays at " + mesh +
-                                 ", but wrong in other ways"
-                           : name + ": watertight on " + std::to_string(rays) + " " + fmt + " rays at " + mesh;
+  if (leaks > 0) {
+    line.text = name + ": " + share_in_words(leaks, rays) + " " + fmt + " rays leak through " + mesh;
+    return line;
+  }
+  const bool closed = trial.truth_or("closed", false);
+  line.text =
+      name + ": " + (closed ? "watertight on " : "no leak on ") + std::to_string(rays) + " " + fmt + " rays at " + mesh;
+  if (!closed) line.text += ", whose surface is " + trial.text_or("topology", "not said to be closed");
+  if (others > 0) line.text += ", but wrong in other ways";
   return line;
 }
 
@@ -42,7 +49,7 @@ void gather_leak(Run& run, Gathering& g) {
     for (const Record& subject : trial.items("subjects")) {
       const std::string name = g.add_method(subject.text("name"));
       if (std::ranges::find(names, name) == names.end()) names.push_back(name);
-      g.add(leak_line(run.number, subject, trial.text("fmt"), mesh));
+      g.add(leak_line(run.number, subject, trial, mesh));
     }
   }
   run.page["title"] = mesh;

@@ -33,7 +33,10 @@ expect 1 replay leaks/cases.jsonl && says out 'mt-eps-double'
 expect 1 "${trial[@]}" --methods mt-eps-double
 expect 2 "${trial[@]}" --method jimenez-double && says err 'no method given that takes rays'
 head -n 15 octahedron.off | sed 's/6 8 0/6 7 0/' >open.off
-expect 0 leak open.off --rays 2000 --method sf-filtered && says out 'it has no inside, and parity is not judged'
+expect 0 leak open.off --rays 2000 --method sf-filtered --out open && says out 'it has no inside, and parity is not judged'
+expect 0 report open --out page.html && cat out >told && says told 'sf-filtered: no leak on 2000 binary64 rays at open.off, whose surface is open: 3 of '
+lacks told watertight
+expect 0 leak open.off --rays 2000 --method sf-filtered
 lacks out watertight && says out 'sf-filtered, binary64 rays: no leak on these 2000 rays (open mesh; 2000 of 2000 rays judged, '
 
 # tree NAME FLAG…: NAME.so
