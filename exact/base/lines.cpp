@@ -122,6 +122,29 @@ LineReader::Source bytes_in(std::string_view text) {
   };
 }
 
+LineReader::Source bytes_in(const Spool& text) {
+  return [&text, offset = std::uint64_t{0}](char* buffer, std::size_t size) mutable {
+    const std::string piece = text.at(offset, size);
+    std::memcpy(buffer, piece.data(), piece.size());
+    offset += piece.size();
+    return piece.size();
+  };
+}
+
+void for_each_line_of(const LineReader::Source& source, const std::function<void(std::string_view line)>& visit) {
+  std::string buffer(read_size, '\0'), rest;
+  while (const std::size_t n = source(buffer.data(), buffer.size())) {
+    std::string_view text(buffer.data(), n);
+    for (std::size_t end; (end = text.find('\n')) != std::string_view::npos; text.remove_prefix(end + 1)) {
+      rest += text.substr(0, end);
+      visit(rest);
+      rest.clear();
+    }
+    rest += text;
+  }
+  if (!rest.empty()) visit(rest);
+}
+
 Rereadable::Rereadable(const std::string& path) : path_(path) {
   std::error_code ignored;
   if (path != "-" && (!std::filesystem::exists(path, ignored) || std::filesystem::is_regular_file(path, ignored) ||
@@ -134,14 +157,6 @@ Rereadable::Rereadable(const std::string& path) : path_(path) {
   while (const std::size_t n = bytes(buffer.data(), buffer.size())) copy_->write({buffer.data(), n});
 }
 
-LineReader Rereadable::reader() const {
-  if (!copy_) return LineReader(bytes_of(path_));
-  return LineReader([this, offset = std::uint64_t{0}](char* buffer, std::size_t size) mutable {
-    const std::string piece = copy_->at(offset, size);
-    std::memcpy(buffer, piece.data(), piece.size());
-    offset += piece.size();
-    return piece.size();
-  });
-}
+LineReader::Source Rereadable::bytes() const { return copy_ ? bytes_in(*copy_) : bytes_of(path_); }
 
 }  // namespace tribunal

@@ -78,6 +78,13 @@ LineReader::Source bytes_of(const std::string& path);
 /// The bytes of a text, which must live as long as this is used.
 LineReader::Source bytes_in(std::string_view text);
 
+/// The same of a spool, which must not be written to meanwhile.
+LineReader::Source bytes_in(const Spool& text);
+
+/// Calls `visit` with each line, of any length and blank ones too, without its end. A text without a last line feed has
+/// one all the same.
+void for_each_line_of(const LineReader::Source& source, const std::function<void(std::string_view line)>& visit);
+
 /// A file that is read more than once, from its start each time. What cannot be read twice, such as standard input or a
 /// pipe, is copied into a spool first.
 class Rereadable {
@@ -87,7 +94,8 @@ class Rereadable {
   const std::string& path() const { return path_; }
 
   /// Readers are independent of each other, and must not outlive this.
-  LineReader reader() const;
+  LineReader reader() const { return LineReader(bytes()); }
+  LineReader::Source bytes() const;
 
  private:
   std::string path_;

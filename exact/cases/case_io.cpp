@@ -160,27 +160,14 @@ void for_each_line_of(LineReader reader, const std::string& path,
   for (LineBlock block; next_block(reader, block);) block.for_each(path, read);
 }
 
-/// Triangles and polygons have separate certificates.
-void require_operands(Operands operands, const Json& object, const Where& where) {
-  if (!object.is_object()) return;
-  if (operands == Operands::triangles && object.contains("rings")) {
-    where.key("rings").fail("triangles are certified apart from polygons, expected \"tri\", or --polygons");
-  }
-  if (operands == Operands::polygons && object.contains("tri") && !object.contains("rings")) {
-    where.key("tri").fail("polygons are certified apart from triangles, expected \"rings\"");
-  }
-}
-
-/// All cases that the reader has lines of, with these operands if any are named.
-std::vector<Case> cases_of(LineReader reader, const std::string& path, std::optional<Operands> operands) {
+/// All cases that the reader has lines of.
+std::vector<Case> cases_of(LineReader reader, const std::string& path) {
   std::vector<Case> cases;
   const auto read = [&](std::string_view line, std::size_t number) {
     Case& c = cases.emplace_back();
-    if (scan_case(line, c) && (!operands || c.query.operands() == *operands)) return;
+    if (scan_case(line, c)) return;
     const Where where{path, number};
-    const Json object = parse_json_beyond(line, where);
-    if (operands) require_operands(*operands, object, where);
-    c = to_case(object, where);
+    c = to_case(parse_json_beyond(line, where), where);
   };
   for (LineBlock block; next_block(reader, block);) block.for_each(path, read);
   if (cases.empty()) throw bad_input(path, 0, "holds no cases, expected one JSON object a line");
@@ -242,14 +229,10 @@ void for_each_line_in(std::string_view text, const std::string& path,
 }
 
 std::vector<Case> cases_in(std::string_view text, const std::string& path) {
-  return cases_of(LineReader(bytes_in(text)), path, {});
+  return cases_of(LineReader(bytes_in(text)), path);
 }
 
-std::vector<Case> read_cases(const std::string& path) { return cases_of(LineReader(bytes_of(path)), path, {}); }
-
-std::vector<Case> read_cases(const std::string& path, Operands operands) {
-  return cases_of(LineReader(bytes_of(path)), path, operands);
-}
+std::vector<Case> read_cases(const std::string& path) { return cases_of(LineReader(bytes_of(path)), path); }
 
 Json from_answer(const Case& c, const Method& method, const Answer& answer) {
   Json object;

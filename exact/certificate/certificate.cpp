@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <optional>
 #include <tuple>
 
 #include "exact/base/output.h"
@@ -103,34 +104,36 @@ std::vector<Stage> to_stages(const Record& plan) {
   return stages;
 }
 
-/// A case as it will stand in counterexamples.jsonl. What its finding says is judged by `verify`.
-const Json& counterexample_in(const Record& r) {
+/// Checks a case that will stand in counterexamples.jsonl, and returns its fault, if it is one. What its finding says
+/// is judged by `verify`.
+std::optional<std::string> read_counterexample(const Record& r) {
   r.keys({"record", "case"});
   const Record line = r.member("case");
   const Case c = to_case(line.json(), line.where());
   const Record finding = line.member("finding");
   rank_of(c, finding.where());
-  finding.text_or("fault", "");
-  return line.json();
+  const auto fault = finding.find("fault");
+  return fault ? std::optional(fault->text()) : std::nullopt;
 }
 
 /// Reads the records of a log, of which the first are the plan, what it was made with, and its budget if it has one.
 /// What is counted must fit what it is counted of: sets, streams and relations come before what refers to them.
 class LogReader {
  public:
-  LogReader(Certificate& c, const LogRecords& log) : c_(c) {
-    if (log.size() < 2) Where{log.path}.fail("missing the plan or the environment");
-    read_plan(log[0]);
-    read_environment(log[1]);
-    for (std::size_t i = 2; i < log.size(); ++i) read(log[i], i);
+  LogReader(Certificate& c, const Log& log) : c_(c) {
+    if (log.size() < 2) Where{log.path()}.fail("missing the plan or the environment");
+    std::size_t i = 0;
+    log.for_each([&](const Record& r) { read(r, i++); });
   }
 
  private:
   void read_plan(const Record& r) {
     if (r.text("record") != "plan") r.fail_at("record", "expected \"plan\", the first record");
-    r.keys({"record", "method", "number", "reference", "terms", "stages", "budget", "seed", "version", "operands"});
+    r.keys({"record", "method", "number", "reference", "terms", "stages", "budget", "seed", "version", "operands",
+            "command"});
     for (const char* key : {"method", "number", "reference", "budget"}) r.text(key);
     r.whole("seed");
+    for (const Record& word : r.items_or_none("command")) word.text();
     if (r.has("version")) {
       const std::int64_t version = r.integer("version", 1, std::numeric_limits<std::int64_t>::max());
       if (version > static_cast<std::int64_t>(log_version)) {
@@ -150,6 +153,8 @@ class LogReader {
   }
 
   void read(const Record& r, std::size_t i) {
+    if (i == 0) return read_plan(r);
+    if (i == 1) return read_environment(r);
     const std::string kind = r.text("record");
     if (kind == "budget") {
       if (i != 2) r.fail("expected the budget once, after the environment");
@@ -168,10 +173,15 @@ class LogReader {
     } else if (kind == "nonfinite") {
       c_.nonfinite.push_back(to_nonfinite(r));
     } else if (kind == "counterexample") {
-      c_.counterexamples.push_back(counterexample_in(r));
+      count_counterexample(read_counterexample(r));
     } else {
       r.fail_at("record", "unknown record \"" + kind + "\"");
     }
+  }
+
+  void count_counterexample(const std::optional<std::string>& fault) {
+    ++c_.counterexamples;
+    if (fault) ++c_.faults[*fault];
   }
 
   void read_stream(const Record& r) {
@@ -506,9 +516,9 @@ std::string Certificate::worst() const {
   return text;
 }
 
-Certificate certificate_from(const LogRecords& log) {
+Certificate certificate_from(const Log& log) {
   Certificate c{};
-  c.log_head = log.head;
+  c.log_head = log.head();
   LogReader(c, log);
   add_strata(c);
   add_coverage(c);
@@ -523,18 +533,21 @@ Certificate certificate_from(const LogRecords& log) {
   return c;
 }
 
-std::string counterexample_lines(const Certificate& c) {
-  std::string lines;
-  for (const Json& line : c.counterexamples) lines += line.dump() + "\n";
-  return lines;
+void for_each_counterexample(const Log& log, const std::function<void(const Record&, const std::string&)>& visit) {
+  log.for_each([&](const Record& r) {
+    if (r.text("record") == "counterexample") visit(r, r.member("case").json().dump() + "\n");
+  });
 }
 
 Certificate write_certificate(const std::string& directory, ChainedLog& log) {
   OutputSet set;
-  const std::string text = log.finish();
-  const Certificate c = certificate_from(log.so_far());
-  set.add(directory + "/log.jsonl", text);
-  set.add(directory + "/counterexamples.jsonl", counterexample_lines(c));
+  log.finish();
+  const Log records(log);
+  const Certificate c = certificate_from(records);
+  OutputFile& text = set.open(directory + "/log.jsonl");
+  log.text().for_each_piece([&](std::string_view piece) { text.write(piece); });
+  OutputFile& cases = set.open(directory + "/counterexamples.jsonl");
+  for_each_counterexample(records, [&](const Record&, const std::string& line) { cases.write(line); });
   set.add(directory + "/certificate.md", to_markdown(c));
   set.add(directory + "/certificate.json", to_json(c).dump(1) + "\n");
   set.commit();

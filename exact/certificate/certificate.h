@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -112,7 +113,8 @@ struct Certificate {
   std::vector<SampledStream> streams;
   std::vector<SampleRow> rows;                  ///< of the method on trial
   std::map<std::string, ByFormat> calibration;  ///< of the naive methods on the same sample
-  std::vector<Json> counterexamples;            ///< cases, as counterexamples.jsonl holds them
+  std::size_t counterexamples = 0;              ///< how many the log has; they stay there
+  std::map<std::string, std::size_t> faults;    ///< of these, those with each fault
   std::string log_head;                         ///< hash of the log's last line
 
   // What follows from the members above.
@@ -147,7 +149,7 @@ struct Certificate {
 };
 
 /// Fails with Exit::bad_input, naming the line of the log, if a record is not as it must be.
-Certificate certificate_from(const LogRecords& log);
+Certificate certificate_from(const Log& log);
 
 Json to_json(const Certificate& c);
 
@@ -157,10 +159,11 @@ std::string to_markdown(const Certificate& c);
 /// What the terminal shows.
 std::string to_summary(const Certificate& c);
 
-/// JSON Lines.
-std::string counterexample_lines(const Certificate& c);
+/// Calls visit(record, line) for each record "counterexample" of the log, with what counterexamples.jsonl has of it.
+void for_each_counterexample(const Log& log, const std::function<void(const Record&, const std::string&)>& visit);
 
-/// Writes log.jsonl, certificate.json, certificate.md and counterexamples.jsonl, and returns the certificate.
+/// Finishes the log, writes log.jsonl, certificate.json, certificate.md and counterexamples.jsonl, and returns the
+/// certificate.
 Certificate write_certificate(const std::string& directory, ChainedLog& log);
 
 }  // namespace tribunal

@@ -9,6 +9,7 @@
 #include "exact/base/interrupt.h"
 #include "exact/base/progress.h"
 #include "exact/base/shown.h"
+#include "exact/cases/case_blocks.h"
 #include "exact/certificate/certificate.h"
 #include "exact/certificate/own_cases.h"
 #include "exact/methods/methods.h"
@@ -183,38 +184,59 @@ void log_errors(ChainedLog& log, const FuzzPlan& plan, const FuzzReport& report)
   }
 }
 
+constexpr const char* missing = "no certificate written";
+
+std::uint64_t asked_in(const OwnCounts<std::string>& block) {
+  std::uint64_t asked = 0;
+  for (const auto& part : block.parts) asked += total_of(part.row).asked;
+  for (const NonfiniteRow& row : block.nonfinite) asked += row.asked;
+  return asked;
+}
+
 /// Asks the method about the user's own cases and logs what came of it. It is not asked of operands that it does not
 /// take.
 void log_own_cases(ChainedLog& log, const CertifyPlan& plan) {
-  constexpr std::size_t block_size = 256;
+  if (plan.own == nullptr) return;
   const Method& method = plan.method;
   OwnCounts<Spool> all;
-  for (std::size_t begin = 0; begin < plan.cases.size(); begin += block_size) {
-    OwnCounts<std::string> block{.gives_numbers = gives_numbers(method)};
-    for (std::size_t i = begin; i < std::min(plan.cases.size(), begin + block_size); ++i) {
-      const Case& c = plan.cases[i];
-      const bool asked = takes(method, c.format) || !is_finite(c.query);
-      OwnAnswer answer{c, plan.truths[i], asked ? method.ask(c.query) : refusal(Status::unsupported)};
-      answer.number = i;
-      if (block.gives_numbers) answer.numbers = [&] { return numbers_of(method, c.query); };
-      add(block, method, answer);
-    }
-    add(all, block);
-  }
+  const auto work = [&](const Case& c, CasePlace place, OwnCounts<std::string>& block) {
+    block.gives_numbers = gives_numbers(method);
+    const Truth truth = is_finite(c.query) ? exact_truth(c.query) : Truth{};
+    const bool asked = takes(method, c.format) || !is_finite(c.query);
+    OwnAnswer answer{c, truth, asked ? method.ask(c.query) : refusal(Status::unsupported)};
+    answer.number = place.number;
+    if (block.gives_numbers) answer.numbers = [&] { return numbers_of(method, c.query); };
+    add(block, method, answer);
+  };
+  Progress progress("your own", "cases", 0);
+  for_each_case<OwnCounts<std::string>>(plan.own->reader(), plan.own->path(), {plan.threads, missing}, work,
+                                        [&](const OwnCounts<std::string>& block) {
+                                          add(all, block);
+                                          progress.add(asked_in(block), 0);
+                                        });
   log_own_cases(log, method, all);
+}
+
+/// Triangles and polygons have separate certificates.
+void require_operands(const Case& c, Operands operands, const Where& where) {
+  if (c.query.operands() == operands) return;
+  if (operands == Operands::triangles) {
+    where.key("rings").fail("triangles are certified apart from polygons, expected \"tri\", or --polygons");
+  }
+  where.key("tri").fail("polygons are certified apart from triangles, expected \"rings\"");
 }
 
 }  // namespace
 
-std::vector<Truth> truths_of(const std::vector<Case>& cases, const std::string& file) {
-  std::vector<Truth> truths;
-  for (const Case& own : cases) {
-    truths.push_back(is_finite(own.query) ? exact_truth(own.query) : Truth{});
-    if (!is_finite(own.query)) continue;
-    const std::string error = mistaken_claim(own, truths.back());
-    if (!error.empty()) throw bad_input(file, 0, shown(own.id) + ": " + error);
-  }
-  return truths;
+void require_sound(const Rereadable& cases, Operands operands, unsigned threads) {
+  struct Nothing {};
+  const auto work = [&](const Case& c, CasePlace place, Nothing&) {
+    require_operands(c, operands, {cases.path(), place.line});
+    if (!is_finite(c.query)) return;
+    const std::string error = mistaken_claim(c, exact_truth(c.query));
+    if (!error.empty()) throw bad_input(cases.path(), place.line, shown(c.id) + ": " + error);
+  };
+  for_each_case<Nothing>(cases.reader(), cases.path(), {threads, missing}, work, [](const Nothing&) {});
 }
 
 std::vector<Method> calibration_beside(const std::string& method) {
@@ -225,18 +247,20 @@ std::vector<Method> calibration_beside(const std::string& method) {
   return naive;
 }
 
-void log_plan(ChainedLog& log, const Method& method, Operands operands, const std::string& budget, std::uint64_t seed) {
+void log_plan(ChainedLog& log, const Method& method, Operands operands, const std::string& budget, std::uint64_t seed,
+              const std::vector<std::string>& command) {
   Json stages = Json::array();
   for (const Stage s : method.stages) stages.push_back(name_of(s));
-  const Json plan = {{"record", "plan"},
-                     {"method", method.name},
-                     {"number", method.card.number},
-                     {"reference", method.card.reference},
-                     {"terms", from_contract(method.contract)},
-                     {"stages", stages},
-                     {"budget", budget},
-                     {"seed", seed},
-                     {"version", log_version}};
+  Json plan = {{"record", "plan"},
+               {"method", method.name},
+               {"number", method.card.number},
+               {"reference", method.card.reference},
+               {"terms", from_contract(method.contract)},
+               {"stages", stages},
+               {"budget", budget},
+               {"seed", seed},
+               {"version", log_version}};
+  if (!command.empty()) plan["command"] = command;
   log.add(with_operands(plan, operands));
   Json made_with = {{"record", "environment"}};
   made_with.update(environment());

@@ -317,7 +317,7 @@ class ByIndex {
 
  private:
   void index_cases(unsigned threads) {
-    const auto work = [](const Case& c, std::size_t, std::vector<Fingerprint>& ids) {
+    const auto work = [](const Case& c, CasePlace, std::vector<Fingerprint>& ids) {
       ids.push_back(fingerprint_of(c.id));
     };
     const auto take = [this](const std::vector<Fingerprint>& ids) {

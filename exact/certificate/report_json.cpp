@@ -173,15 +173,6 @@ Json environment_json(const Certificate& c) {
   return e;
 }
 
-std::map<std::string, std::size_t> faults_in(const Certificate& c) {
-  std::map<std::string, std::size_t> faults;
-  for (const Json& line : c.counterexamples) {
-    const Record finding = Record(line, {"log.jsonl"}).member("finding");
-    if (finding.has("fault")) ++faults[finding.text("fault")];
-  }
-  return faults;
-}
-
 Json to_json(const Certificate& c) {
   Json object = c.plan;
   object.erase("record");
@@ -204,8 +195,8 @@ Json to_json(const Certificate& c) {
   if (!c.nonfinite.empty()) object["nonfinite_cases"] = nonfinite_json(c);
   object["not_covered"] = gaps_json(c);
   object["calibration"] = calibration_json(c);
-  object["counterexamples"] = c.counterexamples.size();
-  if (const auto faults = faults_in(c); !faults.empty()) object["faults"] = faults;
+  object["counterexamples"] = c.counterexamples;
+  if (!c.faults.empty()) object["faults"] = c.faults;
   object["environment"] = environment_json(c);
   object["log_sha256"] = c.log_head;
   return object;

@@ -17,7 +17,7 @@ inline const char* probes_word(bool of_rays) { return of_rays ? "ray" : "segment
 // --- words: report_words.cpp -----------------------------------------------------------------------------------------
 
 /// The certificate for people: each text in it, which is what a log says and may be anything, made by the door to a
-/// terminal or to Markdown. Of the counterexamples only the faults are left.
+/// terminal or to Markdown.
 Certificate with_texts(const Certificate& c, std::string (*door)(std::string_view));
 
 /// "binary64: 2 of 3 refused; 1 ANSWERED, the first is nan-1"
@@ -60,9 +60,6 @@ std::string relation_lines(const Certificate& c);
 std::string errors_lines(const Certificate& c);
 
 // --- for JSON as well ------------------------------------------------------------------------------------------------
-
-/// The number of counterexamples with each fault.
-std::map<std::string, std::size_t> faults_in(const Certificate& c);
 
 /// What it was made with.
 Json environment_json(const Certificate& c);

@@ -33,13 +33,8 @@ Certificate with_texts(const Certificate& c, std::string (*door)(std::string_vie
   }
   shown.calibration.clear();
   for (const auto& [method, counts] : c.calibration) shown.calibration[door(method)] = counts;
-  shown.counterexamples.clear();
-  for (const Json& line : c.counterexamples) {
-    const Record finding = Record(line, {"log.jsonl"}).member("finding");
-    Json kept = {{"finding", Json::object()}};
-    if (finding.has("fault")) kept["finding"]["fault"] = door(finding.text("fault"));
-    shown.counterexamples.push_back(std::move(kept));
-  }
+  shown.faults.clear();
+  for (const auto& [fault, n] : c.faults) shown.faults[door(fault)] += n;
   return shown;
 }
 
@@ -88,7 +83,7 @@ std::string coverage_text(const Certificate& c) {
 
 std::string fault_lines(const Certificate& c, const std::string& before) {
   std::string text;
-  for (const auto& [fault, n] : faults_in(c)) {
+  for (const auto& [fault, n] : c.faults) {
     text += before + fault + ", in " + std::to_string(n) + " of the counterexamples\n";
   }
   return text;

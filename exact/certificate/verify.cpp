@@ -64,10 +64,45 @@ void confirm(Verification& v, const Record& record) {
   }
 }
 
-void confirm_counterexamples(Verification& v, const LogRecords& log) {
-  for (std::size_t i = 0; i < log.size(); ++i) {
-    if (log[i].text("record") == "counterexample") confirm(v, log[i]);
+/// Holds a file, which is read as it goes, against what it should be.
+class ExpectedFile {
+ public:
+  explicit ExpectedFile(const std::string& path) : bytes_(bytes_of(path)) {}
+
+  void expect(const std::string& text) {
+    found_.resize(text.size());
+    for (std::size_t done = 0; same_ && done < text.size();) {
+      const std::size_t n = bytes_(found_.data() + done, text.size() - done);
+      done += n;
+      same_ = n > 0;
+    }
+    same_ = same_ && found_ == text;
   }
+
+  /// Whether it was all that, and no more.
+  bool is_as_expected() {
+    char more = 0;
+    return same_ && bytes_(&more, 1) == 0;
+  }
+
+ private:
+  LineReader::Source bytes_;
+  std::string found_{};
+  bool same_ = true;
+};
+
+/// The log's counterexamples in turn: each must stand in the file beside it, and be one.
+void compare_and_confirm(Verification& v, const std::string& path, const Log& log) {
+  ExpectedFile file(path);
+  Verification confirmed{};
+  for_each_counterexample(log, [&](const Record& record, const std::string& line) {
+    file.expect(line);
+    confirm(confirmed, record);
+  });
+  if (!file.is_as_expected()) v.faults.push_back(path + " is not what the log gives");
+  for (const std::string& debt : debts_of(v.certificate, log.others())) v.faults.push_back(debt);
+  v.faults.insert(v.faults.end(), confirmed.faults.begin(), confirmed.faults.end());
+  v.confirmed = confirmed.confirmed;
 }
 
 void compare(Verification& v, const ScopeResult& again) {
@@ -160,8 +195,10 @@ void rerun_all(Verification& v, const LogRecords& log, unsigned threads) {
                                                                                : "its answers came from a file"));
     return;
   }
-  const ChainedLog again = run_again(*method, c, threads);
-  const std::vector<Record> due = answers_in(again.so_far()), logged = answers_in(log);
+  ChainedLog again = run_again(*method, c, threads);
+  again.finish();
+  const Log due_log(again);
+  const std::vector<Record> due = answers_in(due_log.others()), logged = answers_in(log);
   if (due.size() != logged.size())
     v.faults.push_back("run again, the trial has other records (a mesh is not run again)");
   for (std::size_t i = 0; i < std::min(due.size(), logged.size()); ++i) {
@@ -176,16 +213,14 @@ void rerun_all(Verification& v, const LogRecords& log, unsigned threads) {
 
 Verification verify(const std::string& directory, unsigned rerun) {
   const std::string path = directory + "/log.jsonl";
-  const LogRecords log = read_log(path);
+  const Log log(path);
   Verification v{certificate_from(log)};
   compare(v, directory + "/certificate.json", to_json(v.certificate).dump(1) + "\n");
   compare(v, directory + "/certificate.md", to_markdown(v.certificate));
-  compare(v, directory + "/counterexamples.jsonl", counterexample_lines(v.certificate));
-  for (const std::string& debt : debts_of(v.certificate, log)) v.faults.push_back(debt);
-  confirm_counterexamples(v, log);
+  compare_and_confirm(v, directory + "/counterexamples.jsonl", log);
   confirm_relations(v);
   ask_again(v);
-  if (rerun > 0 && v.faults.empty()) rerun_all(v, log, rerun);
+  if (rerun > 0 && v.faults.empty()) rerun_all(v, log.others(), rerun);
   return v;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <optional>
 
 #include "exact/base/failure.h"
 #include "exact/base/files.h"
@@ -39,21 +40,22 @@ const Budget& budget_named(const std::string& name) { return *std::ranges::find(
 Family family_of_mesh(const std::string& path) { return aimed_at(read_own_mesh(path).triangles); }
 
 CertifyPlan plan_of(const Options& o, const Method& method, Operands operands) {
-  CertifyPlan plan{
+  return {
       .method = method, .operands = operands, .budget = budget_named(o.budget), .seed = o.seed, .threads = o.threads};
-  if (o.cases.empty()) return plan;
-  plan.cases = read_cases(o.cases, operands);
-  plan.truths = truths_of(plan.cases, o.cases);
-  return plan;
 }
 
-int run(const Options& o, const CertifyPlan& plan) {
+int run(const Options& o, CertifyPlan plan) {
+  std::optional<Rereadable> own;
+  if (!o.cases.empty()) {
+    require_sound(own.emplace(o.cases), plan.operands, plan.threads);
+    plan.own = &*own;
+  }
   make_directory(o.out);
   ChainedLog log = certify(plan);
   const Certificate c = write_certificate(o.out, log);
   const char* each = plan.operands == Operands::triangles ? "class" : "outcome";
-  print(to_summary(c) + "  " + std::to_string(c.counterexamples.size()) + " counterexamples, the simplest of each " +
-        each + "; see " + o.out + "/certificate.md\n");
+  print(to_summary(c) + "  " + std::to_string(c.counterexamples) + " counterexamples, the simplest of each " + each +
+        "; see " + o.out + "/certificate.md\n");
   return exit_of(c.verdict);
 }
 
@@ -96,7 +98,7 @@ int run_verify(const VerifyOptions& o) {
   for (const std::string& fault : v.faults) print(shown(fault) + "\n");
   const Certificate& c = v.certificate;
   print(std::string(v.faults.empty() ? "verified" : "NOT VERIFIED") + ": " + shown(c.method()) + " " +
-        name_of(c.verdict) + "; " + std::to_string(v.confirmed) + " of " + std::to_string(c.counterexamples.size()) +
+        name_of(c.verdict) + "; " + std::to_string(v.confirmed) + " of " + std::to_string(c.counterexamples) +
         " counterexamples confirmed by exact arithmetic; " +
         (v.not_asked.empty() ? "asked again on " + std::to_string(v.asked_again) + " cases"
                              : "not asked again: " + v.not_asked) +

@@ -102,7 +102,7 @@ int run(const Options& o) {
   const std::vector<Method> methods = methods_on_trial(o.methods);
   Checked<Spool> all;
   for (std::size_t m = 0; m < methods.size(); ++m) all.scores.emplace_back();
-  const auto work = [&](const Case& c, std::size_t, Checked<std::string>& block) { check(methods, o.exact, c, block); };
+  const auto work = [&](const Case& c, CasePlace, Checked<std::string>& block) { check(methods, o.exact, c, block); };
   for_each_case<Checked<std::string>>(o.file, {o.threads, "nothing was checked"}, work,
                                       [&](const Checked<std::string>& block) { add(all, block); });
   bool failed = all.contradictions.size() > 0;

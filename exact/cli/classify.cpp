@@ -54,7 +54,7 @@ int run(const Options& o) {
   require_different(o.in, o.out);
   HeldOutput out(o.out);
   bool any_fault = false;
-  const auto answer = [&](const Case& c, std::size_t, Answered& block) {
+  const auto answer = [&](const Case& c, CasePlace, Answered& block) {
     for (const Method& m : methods) {
       const Answer given = owed_answer(m, c.query);
       block.any_fault |= is_fault(given.status);

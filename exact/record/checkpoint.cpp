@@ -265,7 +265,9 @@ void save_checkpoint(const std::string& directory, const FuzzPlan& plan, const F
   log.add({{"record", "done"}, {"cases", report.cases}, {"audited", report.audited}});
   OutputSet set;
   for (const char* of_another_run : {"/summary.json", "/counterexamples.jsonl"}) set.drop(directory + of_another_run);
-  set.add(checkpoint_path(directory), log.finish());
+  log.finish();
+  OutputFile& file = set.open(checkpoint_path(directory));
+  log.text().for_each_piece([&](std::string_view piece) { file.write(piece); });
   set.commit(AfterSignal::appears);
 }
 

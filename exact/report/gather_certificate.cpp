@@ -158,7 +158,10 @@ void gather_certificate(Run& run, Gathering& g) {
   run.page["title"] = method;
   const bool judged = budget == "the cases of a file";
   run.page["judged"] = judged;
-  if (judged) run.page["seed"] = Json();
+  if (judged) {
+    run.page["seed"] = Json();
+    run.page["command"] = command_alone_in(run);  // one directory for each method, if the answers named several
+  }
   if (!judged && !has_own_files(r)) {
     std::vector<std::string> words{"certify", "--method", method, "--budget", budget};
     if (r.has("polygons_judged")) words.push_back("--polygons");

@@ -182,14 +182,25 @@ std::string command_of(const std::vector<std::string>& words) {
   return text;
 }
 
-/// The words of the record; null if it has none.
-Json command_in(const Run& run) {
+/// The words of the record; none if it has none.
+std::vector<std::string> words_in(const Run& run) {
   const auto given = run.all().find("command");
-  if (!given || given->json().is_null()) return {};
   std::vector<std::string> words;
+  if (!given || given->json().is_null()) return words;
   for (const Record& word : given->items()) words.push_back(word.text());
+  return words;
+}
+
+Json command_in(const Run& run) {
+  std::vector<std::string> words = words_in(run);
+  if (words.empty()) return {};
   words.insert(words.end(), {"--out", run.directory});
   return command_of(words);
+}
+
+Json command_alone_in(const Run& run) {
+  const std::vector<std::string> words = words_in(run);
+  return words.empty() ? Json() : Json(command_of(words));
 }
 
 std::string joined(const std::vector<std::string>& names) {

@@ -143,6 +143,9 @@ std::string command_of(const std::vector<std::string>& words);
 /// The command whose words the record holds, with --out for the run's directory; null of a record without words.
 Json command_in(const Run& run);
 
+/// The same without --out: for a record of which the directory holds a part.
+Json command_alone_in(const Run& run);
+
 /// "a,b".
 std::string joined(const std::vector<std::string>& names);
 

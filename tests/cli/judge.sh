@@ -30,6 +30,9 @@ expect 0 cases --family affine --fmt binary64 --count 2624 --out affine.jsonl
 $python "$example" affine.jsonl >naive.jsonl
 expect 1 judge --cases affine.jsonl --answers naive.jsonl --out naive
 says out 'mine-float: refuted' && says out "most in  C"
+# The result says how it was made, as the one of a mesh does, and the page of a report tells it.
+says naive/certificate.json '"command": [' && says naive/log.jsonl '"command":["judge","--cases","affine.jsonl","--answers","naive.jsonl"]'
+expect 0 report naive --out page.html --json page.json && says page.json 'tribunal judge --cases affine.jsonl --answers naive.jsonl'
 expect 0 verify naive && says out 'not asked again: its answers came from a file'
 says naive/certificate.md '## Your own cases' && lacks naive/certificate.md '## Sampled' && lacks naive/certificate.json upper_95
 $python "$SOURCE_DIR/docs/check_counterexample.py" naive/counterexamples.jsonl

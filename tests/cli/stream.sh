@@ -66,6 +66,15 @@ expect 3 classify --method sf-filtered --in zeros.jsonl && says err 'zeros.jsonl
 { head -c 3000000 /dev/zero | tr '\0' ' '; echo; head -n 1 some.jsonl; } >blank.jsonl
 expect 0 classify --method sf-filtered --in blank.jsonl && [ "$(wc -l <out)" -eq 1 ]
 
+# alike A B: the same report, but for the words of its command, and so for the hashes of its log.
+alike() {
+  local file
+  for file in log.jsonl counterexamples.jsonl certificate.json certificate.md; do
+    cmp <(stripped "$1/$file") <(stripped "$2/$file") || { echo "$1/$file and $2/$file differ" >&2; exit 1; }
+  done
+}
+stripped() { [ -s "$1" ] || return 0; tr -d ' \n' <"$1" | sed -E 's/"command":\[[^]]*\],//; s/[0-9a-f]{64}//g'; }
+
 # judge: answers in the order of the cases, each method's by itself, and in no order, give the same report.
 head -n 6000 small.jsonl >judged.jsonl
 expect 0 classify --method sf-double,mt-float,sf-rational --in judged.jsonl --out ordered.jsonl
@@ -75,21 +84,34 @@ sort -s -t'"' -k8,8 ordered.jsonl >grouped.jsonl
 expect 1 judge --cases judged.jsonl --answers ordered.jsonl --out ordered --threads 2
 for answers in shuffled grouped; do
   expect 1 judge --cases judged.jsonl --answers $answers.jsonl --out $answers --threads 2
-  for method in sf-double mt-float sf-rational; do diff -r ordered/*-$method $answers/*-$method; done
+  for method in sf-double mt-float sf-rational; do alike ordered/*-$method $answers/*-$method; done
 done
 expect 1 judge --cases judged.jsonl --answers ordered.jsonl --out alone --threads 1 && diff -r ordered alone
-expect 1 judge --cases - --answers ordered.jsonl --out piped-cases <judged.jsonl && diff -r ordered piped-cases
+expect 1 judge --cases - --answers ordered.jsonl --out piped-cases <judged.jsonl
+for method in 1-sf-double 2-mt-float 3-sf-rational; do alike ordered/$method piped-cases/$method; done
 mkfifo pipe
 for threads in 1 2; do
   shuf --random-source=base.jsonl one.jsonl >pipe &
   expect 1 judge --cases judged.jsonl --answers pipe --out "piped-$threads" --threads $threads
-  diff -r ordered/1-sf-double "piped-$threads"
+  alike ordered/1-sf-double "piped-$threads"
 done
 $python "$many" base.jsonl 24000 >longer.jsonl
 expect 0 classify --method sf-rational --in longer.jsonl --out longer.answers
 expect 0 classify --method sf-rational --in judged.jsonl --out judged.answers
 flat judge "$(peak small.out judge --cases judged.jsonl --answers judged.answers --threads 2)" \
   "$(peak large.out judge --cases longer.jsonl --answers longer.answers --threads 2)"
+
+# A report of any number of wrong answers is written and verified in memory that does not grow with them.
+wrong() { $python -c 'import json, sys
+for line in open(sys.argv[1]):
+    a = json.loads(line)
+    print(json.dumps({"id": a["id"], "hit": 1 - a["hit"]}))' "$1"; }
+$python "$many" base.jsonl 1500 >few.jsonl && expect 0 classify --method sf-rational --in few.jsonl --out few.right && wrong few.right >few.wrong
+$python "$many" base.jsonl 6000 >more.jsonl && expect 0 classify --method sf-rational --in more.jsonl --out more.right && wrong more.right >more.wrong
+flat 'judge, all wrong' "$(peak small.out judge --cases few.jsonl --answers few.wrong --threads 2 --out few)" \
+  "$(peak large.out judge --cases more.jsonl --answers more.wrong --threads 2 --out more)"
+[ "$(wc -l <more/counterexamples.jsonl)" -eq 6000 ] && [ "$(stat -c %s more/log.jsonl)" -gt 8000000 ]
+flat verify "$(peak small.out verify few)" "$(peak large.out verify more)"
 
 # Refusals, whatever the order: the cases' first line that is wrong, then the answers'. In time and memory in proportion.
 $python - <<'PYTHON'

@@ -41,6 +41,13 @@ class CertificateTest : public testing::Test {
         {.method = method(name), .operands = Operands::polygons, .budget = {"tiny", 0, false, rounds}, .threads = 2});
   }
 
+  /// What counterexamples.jsonl holds.
+  std::vector<Json> counterexamples() const {
+    std::vector<Json> lines;
+    for_each_line(file("counterexamples.jsonl"), [&](const Json& line, const Where&) { lines.push_back(line); });
+    return lines;
+  }
+
   std::string file(const char* name) const { return directory_ + "/" + name; }
 
   /// Changes the records of the log and computes its hash chain anew, as a forger would.

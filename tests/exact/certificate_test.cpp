@@ -30,7 +30,7 @@ TEST_F(CertificateTest, RefutesDoubleAndSaysWhy) {
   EXPECT_EQ(c.proved[1].classes, 114U);
   EXPECT_EQ(c.coverage.classes(Format::binary32), 163);
   EXPECT_EQ(c.coverage.classes(Format::binary64), 163);
-  EXPECT_GT(c.counterexamples.size(), 50U);
+  EXPECT_GT(c.counterexamples, 50U);
   const Json json = to_json(c);
   for (const Json& row : json["sampled"]) {
     ASSERT_LE(row["k"].get<double>() / row["n"].get<double>(), row["upper_95"].get<double>());
@@ -38,7 +38,7 @@ TEST_F(CertificateTest, RefutesDoubleAndSaysWhy) {
   }
   for (const Gap& gap : c.gaps) EXPECT_TRUE(gap.explained) << gap.what;
   EXPECT_TRUE(verify(directory_).faults.empty());
-  EXPECT_EQ(verify(directory_).confirmed, c.counterexamples.size());
+  EXPECT_EQ(verify(directory_).confirmed, c.counterexamples);
 
   const std::string& set = c.proved[0].name;
   EXPECT_NE(to_summary(c).find("  proved   " + set + ": 0 wrong of 93888"), std::string::npos);
@@ -59,8 +59,9 @@ TEST_F(CertificateTest, ACaseOfTheUsersOwnRefutesToo) {
   };
   CertifyPlan plan{.method = lazy, .budget = tiny, .threads = 2};
   const Certificate without = write(plan);
-  plan.cases = {own};
-  plan.truths = {exact_truth(own.query)};
+  write_file(file("cases.jsonl"), from_case(own).dump() + "\n");
+  const Rereadable cases(file("cases.jsonl"));
+  plan.own = &cases;
   const Certificate c = write(plan);
   EXPECT_EQ(without.verdict, Verdict::not_refuted);
   EXPECT_EQ(c.verdict, Verdict::refuted);
@@ -90,15 +91,32 @@ TEST_F(CertificateTest, ADroppedSampleMakesAHole) {
   Case own;
   own.id = "mine";
   own.query = {Segment{{0.5, 0.25, 0}, {0.5, 0.25, 1}}, Triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
-  write({.method = method("sf-rational"),
-         .budget = {"tiny", 1, false},
-         .threads = 2,
-         .cases = {own},
-         .truths = {exact_truth(own.query)}});
+  write_file(file("cases.jsonl"), from_case(own).dump() + "\n");
+  const Rereadable cases(file("cases.jsonl"));
+  write({.method = method("sf-rational"), .budget = {"tiny", 1, false}, .threads = 2, .own = &cases});
   forge([](std::vector<Json>& records) {
     std::erase_if(records, [](const Json& r) { return r.contains("family") && r["family"] != own_cases; });
   });
   EXPECT_EQ(verify(directory_).certificate.verdict, Verdict::incomplete);
+}
+
+/// Read again record by record, a log is what it is when it is held; one that changes meanwhile is refused.
+TEST_F(CertificateTest, ALogIsReadAgainAsItStands) {
+  const Certificate c = write({.method = method("sf-float"), .budget = {"tiny", 1, false}, .threads = 2});
+  ASSERT_GT(c.counterexamples, 10U);
+  const LogRecords held = read_log(file("log.jsonl"));
+  const Log log(file("log.jsonl"));
+  EXPECT_EQ(log.head(), held.head);
+  ASSERT_EQ(log.size(), held.size());
+  EXPECT_EQ(log.others().size() + c.counterexamples, held.size());
+  std::size_t i = 0;
+  log.for_each([&](const Record& r) {
+    EXPECT_EQ(r.json(), held.records[i]);
+    EXPECT_EQ(r.where().line, held.lines[i++]);
+  });
+  EXPECT_EQ(i, held.size());
+  forge([](std::vector<Json>& records) { records.pop_back(); });
+  EXPECT_THROW(log.for_each([](const Record&) {}), Failure);
 }
 
 TEST_F(CertificateTest, ALogCutShortIsNoticed) {
@@ -311,8 +329,8 @@ TEST_F(CertificateTest, RelationsShowAnAbsoluteEpsilon) {
   EXPECT_NE(c.worst().find("scale"), std::string::npos);
   EXPECT_NE(to_summary(c).find("  BROKEN   scale, "), std::string::npos);
   EXPECT_NE(to_markdown(c).find("## Relations"), std::string::npos);
-  EXPECT_TRUE(
-      std::ranges::any_of(c.counterexamples, [](const Json& x) { return x.value("source", "") == "relation scale"; }));
+  const std::vector<Json> found = counterexamples();
+  EXPECT_TRUE(std::ranges::any_of(found, [](const Json& x) { return x.value("source", "") == "relation scale"; }));
   EXPECT_TRUE(verify(directory_).faults.empty());
   // The verdict rests on relations alone where nothing else is wrong.
   forge([](std::vector<Json>& all) {

@@ -8,6 +8,7 @@
 
 #include "exact/base/failure.h"
 #include "exact/base/in_order.h"
+#include "exact/base/shown.h"
 #include "exact/base/spool.h"
 #include "exact/cases/families/draw.h"
 #include "exact/record/id_index.h"
@@ -104,6 +105,48 @@ TEST(Spool, HoldsWhatWasWrittenInMemoryAndOnDisk) {
     const Spool moved = std::move(spool);
     EXPECT_EQ(moved.at(0, 100), due.substr(0, 100));
   }
+}
+
+/// A line without an end within a piece is cut between characters, so that each piece shows as the whole does.
+TEST(Spool, NoPieceCutsACharacter) {
+  for (const std::string_view character : {"\xc3\xa9", "\xe2\x82\xac", "\xf0\x9f\x98\x80"}) {
+    for (const std::size_t before : {0, 1, 2, 3}) {
+      Spool spool(1000);
+      std::string due(before, 'x');
+      while (due.size() < 800'000) due += character;
+      spool.write(due);
+      std::string all;
+      int pieces = 0;
+      spool.for_each_piece([&](std::string_view piece) {
+        EXPECT_TRUE(shows_as_it_is(piece));
+        all += piece;
+        ++pieces;
+      });
+      EXPECT_TRUE(all == due);
+      EXPECT_GT(pieces, 1);
+    }
+  }
+  Spool bytes(1000);
+  bytes.write(std::string(800'000, '\x80'));  // no characters at all
+  std::size_t size = 0;
+  bytes.for_each_piece([&](std::string_view piece) { size += piece.size(); });
+  EXPECT_EQ(size, 800'000U);
+}
+
+TEST(Lines, OfAnyLengthStandAsTheyAre) {
+  const std::string longest(3 * max_line, 'x');
+  const auto lines_of = [](const std::string& text) {
+    Spool spool(100);
+    spool.write(text);
+    std::vector<std::string> in_text, in_spool;
+    for_each_line_of(bytes_in(text), [&](std::string_view line) { in_text.emplace_back(line); });
+    for_each_line_of(bytes_in(spool), [&](std::string_view line) { in_spool.emplace_back(line); });
+    EXPECT_TRUE(in_text == in_spool);
+    return in_text;
+  };
+  EXPECT_TRUE(lines_of("").empty());
+  EXPECT_TRUE(lines_of("a\n\n" + longest + "\nb") == (std::vector<std::string>{"a", "", longest, "b"}));
+  EXPECT_TRUE(lines_of("\n" + longest + "\n") == (std::vector<std::string>{"", longest}));
 }
 
 TEST(InOrder, ResultsComeInTheOrderOfTheItems) {

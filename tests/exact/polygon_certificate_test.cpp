@@ -43,9 +43,9 @@ TEST_F(CertificateTest, OfPolygonsRefutesTheClassicalWayWithinItsContract) {
     if (s.slot != slot_of(Truth{.contact = Contact::edge})) continue;
     EXPECT_EQ(s.count.judged(), 0U) << "the boundary is outside its contract";
   }
-  ASSERT_FALSE(c.counterexamples.empty());
-  for (const Json& line : c.counterexamples) EXPECT_TRUE(line.contains("rings"));
-  EXPECT_EQ(verify(directory_).confirmed, c.counterexamples.size());
+  ASSERT_GT(c.counterexamples, 0U);
+  for (const Json& line : counterexamples()) EXPECT_TRUE(line.contains("rings"));
+  EXPECT_EQ(verify(directory_).confirmed, c.counterexamples);
   EXPECT_TRUE(verify(directory_).faults.empty());
 }
 

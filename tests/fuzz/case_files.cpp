@@ -85,7 +85,13 @@ void chain(std::string_view bytes) {
     const LogRecords log = read_log(file.path());
     ChainedLog again;
     for (const Json& r : log.records) again.add(r);
-    demand(again.finish() == bytes, "an accepted log is written otherwise");
+    again.finish();
+    demand(again.text().at(0, bytes.size() + 1) == bytes, "an accepted log is written otherwise");
+    std::size_t i = 0;
+    Log(file.path()).for_each([&](const Record& r) {
+      demand(r.json() == log.records[i++], "streamed, it is another log");
+    });
+    demand(i == log.size(), "streamed, it has other records");
   });
 }
 

@@ -28,7 +28,8 @@ std::string sealed(std::string_view text) {
     });
     begin = end + 1;
   }
-  return log.finish();
+  log.finish();
+  return log.text().at(0, static_cast<std::size_t>(log.text().size()));
 }
 
 /// A plan of few cases, of a method that answers exactly and of one that is wrong here and there.
@@ -63,12 +64,12 @@ const std::string& directory() {
 void log(std::string_view bytes) {
   const MemoryFile file(sealed(bytes));
   accepts([&] {
-    const LogRecords records = read_log(file.path());
+    const Log records(file.path());
     const Certificate c = certificate_from(records);
     to_json(c).dump();
     to_markdown(c);
     to_summary(c);
-    debts_of(c, records);
+    debts_of(c, records.others());
     for (const Stratum& s : c.strata) {
       demand(s.count.asked <= c.streams[s.stream].cases, "more cases in a stratum than in its stream");
       demand(s.count.wrong <= s.count.judged(), "more wrong answers than answers");

@@ -79,12 +79,42 @@ Contract contract_of(const Options& o, bool any_bounds) {
           .culling = o.culls ? Culling::back_faces : Culling::none};
 }
 
+/// The words that judge the same again: the files in the order given, and what the answers promise.
+std::vector<std::string> command_of(const Options& o) {
+  std::vector<std::string> words = {"judge"};
+  const auto add = [&](const char* option, const std::string& value, const std::string& otherwise = "") {
+    if (value != otherwise) words.insert(words.end(), {option, value});
+  };
+  const auto add_number = [&](const char* option, double value) {
+    if (value > 0) add(option, Json(value).dump());
+  };
+  const auto add_flag = [&](const char* option, bool given) {
+    if (given) words.emplace_back(option);
+  };
+  add("--cases", o.cases);
+  add("--mesh", o.mesh.trial.mesh);
+  add("--rays", o.mesh.rays);
+  add("--answers", o.mesh.answers);
+  add("--convention", o.convention, "closed");
+  add("--boundary", o.boundary);
+  add("--ends", o.ends, "closed");
+  add("--bounds", o.bounds, "closed");
+  add_flag("--culls", o.culls);
+  add_flag("--no-degenerate", o.no_degenerate);
+  add_flag("--sorted", o.mesh.promises.sorted);
+  add_number("--most-ulps", o.mesh.promises.most_ulps);
+  add_number("--most-degrees", o.mesh.promises.most_degrees);
+  add_flag("--normals-towards-source", o.towards_source);
+  return words;
+}
+
 /// The log of a trial that consists of these answers. It is about triangles if there are any.
-ChainedLog log_of(const Judgement& judgement, const JudgedAnswers& answers) {
+ChainedLog log_of(const Options& o, const Judgement& judgement, const JudgedAnswers& answers) {
   ChainedLog log;
   const Operands operands = judgement.any_triangles ? Operands::triangles : Operands::polygons;
-  log_plan(log, answers.method, operands, "the cases of a file", 0);
+  log_plan(log, answers.method, operands, "the cases of a file", 0, command_of(o));
   log_own_cases(log, answers.method, answers.counts);
+  log.finish();
   return log;
 }
 
@@ -121,9 +151,9 @@ int run_cases(const Options& o) {
   std::uint64_t answered = 0, nonfinite = 0;
   for (JudgedAnswers& of_method : judgement.methods) {
     of_method.method.contract = contract_of(o, judgement.any_bounds);
-    logs.push_back(log_of(judgement, of_method));
+    logs.push_back(log_of(o, judgement, of_method));
     of_method.counts = {};
-    all.push_back(certificate_from(logs.back().so_far()));
+    all.push_back(certificate_from(Log(logs.back())));
     sum += all.back().own();
     answered += all.back().all_nonfinite().answered;
     nonfinite += all.back().all_nonfinite().refused;
@@ -137,35 +167,6 @@ int run_cases(const Options& o) {
   if (!o.mesh.trial.out.empty()) text += write_report(o.mesh.trial.out, logs, all);
   print(text);
   return code(sum.wrong + answered > 0 ? Exit::disagreement : Exit::ok);
-}
-
-/// The words that judge the same again: the files in the order given, and what the answers promise.
-std::vector<std::string> command_of(const Options& o) {
-  std::vector<std::string> words = {"judge"};
-  const auto add = [&](const char* option, const std::string& value, const std::string& otherwise = "") {
-    if (value != otherwise) words.insert(words.end(), {option, value});
-  };
-  const auto add_number = [&](const char* option, double value) {
-    if (value > 0) add(option, Json(value).dump());
-  };
-  const auto add_flag = [&](const char* option, bool given) {
-    if (given) words.emplace_back(option);
-  };
-  add("--cases", o.cases);
-  add("--mesh", o.mesh.trial.mesh);
-  add("--rays", o.mesh.rays);
-  add("--answers", o.mesh.answers);
-  add("--convention", o.convention, "closed");
-  add("--boundary", o.boundary);
-  add("--ends", o.ends, "closed");
-  add("--bounds", o.bounds, "closed");
-  add_flag("--culls", o.culls);
-  add_flag("--no-degenerate", o.no_degenerate);
-  add_flag("--sorted", o.mesh.promises.sorted);
-  add_number("--most-ulps", o.mesh.promises.most_ulps);
-  add_number("--most-degrees", o.mesh.promises.most_degrees);
-  add_flag("--normals-towards-source", o.towards_source);
-  return words;
 }
 
 int run(const Options& o) {
