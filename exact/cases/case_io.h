@@ -39,9 +39,6 @@ void for_each_line_in(std::string_view text, const std::string& path,
 std::vector<Case> read_cases(const std::string& path);
 std::vector<Case> cases_in(std::string_view text, const std::string& path);
 
-/// The same, but a case with other operands is an error.
-std::vector<Case> read_cases(const std::string& path, Operands operands);
-
 /// The method's answer to the case; for a polygon with "planar".
 Json from_answer(const Case& c, const Method& method, const Answer& answer);
 

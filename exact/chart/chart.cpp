@@ -16,11 +16,6 @@
 namespace tribunal {
 namespace {
 
-bool has_role(const Method& m, Role role) {
-  const std::vector<Role> roles = roles_of(m);
-  return std::ranges::find(roles, role) != roles.end();
-}
-
 /// The methods, with what a drawing needs to know of them.
 Json drawn_methods(const std::vector<Method>& methods) {
   Json rows = methods_json(methods);

@@ -129,6 +129,11 @@ std::vector<Role> roles_of(const Method& method) {
   return row == rows().end() ? std::vector<Role>{} : row->roles;
 }
 
+bool has_role(const Method& method, Role role) {
+  const std::vector<Role> roles = roles_of(method);
+  return std::ranges::find(roles, role) != roles.end();
+}
+
 Maker maker_of(const Method& method) {
   const auto row = std::ranges::find(rows(), method.name, &Row::name);
   return row == rows().end() ? Maker::added : row->maker;

@@ -52,8 +52,9 @@ std::vector<Method> methods_with(Role role);
 /// All that have the capability, in the table's order.
 std::vector<const Method*> methods_with(Capability capability);
 
-/// The roles of a method of the table.
+/// The roles of a method of the table; any other has none.
 std::vector<Role> roles_of(const Method& method);
+bool has_role(const Method& method, Role role);
 
 Maker maker_of(const Method& method);
 
