@@ -1,8 +1,6 @@
 #include "exact/certificate/bounds.h"
 
-#include <algorithm>
 #include <boost/math/distributions/binomial.hpp>
-#include <ranges>
 
 namespace tribunal {
 
@@ -20,9 +18,13 @@ double lower_bound(std::uint64_t failures, std::uint64_t n, double alpha) {
 
 std::uint64_t median_rank(std::uint64_t n, double alpha) {
   const Binomial below_median(static_cast<double>(n), 0.5);
-  const auto ranks = std::views::iota(std::uint64_t{1}, n / 2 + 1);
   const auto encloses = [&](std::uint64_t k) { return cdf(below_median, static_cast<double>(k - 1)) <= alpha / 2; };
-  return static_cast<std::uint64_t>(std::ranges::partition_point(ranks, encloses) - ranks.begin());
+  std::uint64_t rank = 0, too_many = n / 2 + 1;  // 0 or one that encloses; the least that does not, or beyond the last
+  while (too_many - rank > 1) {
+    const std::uint64_t k = rank + (too_many - rank) / 2;
+    (encloses(k) ? rank : too_many) = k;
+  }
+  return rank;
 }
 
 }  // namespace tribunal

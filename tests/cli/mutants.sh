@@ -3,7 +3,7 @@
 # endless run or a figure that cannot be. MUTANTS: how many of each file.
 source "$(dirname "$0")/common.bash"
 cd "$scratch"
-count=${MUTANTS:-40}
+count=${MUTANTS:-20}
 mutants() { python3 "$SOURCE_DIR/tests/cli/mutants.py" "$@" || failed=1; }
 failed=0
 
