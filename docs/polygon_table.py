@@ -3,11 +3,11 @@
 
 Reads what `./run bench polygon` prints; types no figure.
 """
-import re
 import sys
 
-ROW = re.compile(r"^(\S+)/(\S+)/n(\d+)/(\S+) +([0-9.]+) +([0-9.]+) +([0-9.]+) +\d+$")
-RATIO = re.compile(r"^ratio (\S+) ([0-9.]+) \[([0-9.]+), ([0-9.]+)\]$")
+from compare_benches import ratios
+from predicate_table import rows
+
 CORNERS = (3, 4, 6, 8, 16, 64, 256)
 SHAPES = {"convex": "ns a query, 7 % hits, convex: median (tenth to ninetieth percentile)", "concave": "concave",
           "holed": "with a hole"}
@@ -43,19 +43,16 @@ def table(head, columns, rows_of):
 
 
 def main(path):
-    with open(path, encoding="utf-8") as file:
-        lines = [line.rstrip("\n") for line in file]
-    times = {m.group(1, 2, 3, 4): tuple(map(float, m.group(5, 6, 7))) for m in map(ROW.match, lines) if m}
-    ratios = {m[1]: m.group(2, 3, 4) for m in map(RATIO.match, lines) if m}
+    times, quotients = rows(path), ratios(path)
     for shape, head in SHAPES.items():
         table(head, [str(n) for n in CORNERS],
-              [(words, [cell(times.get(("hits_7", shape, str(n), method)), True) for n in CORNERS]) for method, words in METHODS.items()])
+              [(words, [cell(times.get((f"hits_7/{shape}/n{n}", method)), True) for n in CORNERS]) for method, words in METHODS.items()])
     table("four vertices, convex", list(POPULATIONS.values()),
-          [(words, [cell(times.get((population, "convex", "4", method)), False) for population in POPULATIONS]) for method, words in METHODS.items()])
+          [(words, [cell(times.get((f"{population}/convex/n4", method)), False) for population in POPULATIONS]) for method, words in METHODS.items()])
     for words, (name, populations) in RATIOS.items():
-        found = [(POPULATIONS[p], [ratios.get(f"{name}_n{n}_{p}", ratios.get(f"{name}_n{n}")) for n in CORNERS]) for p in populations]
+        found = [(POPULATIONS[p], [quotients.get(f"{name}_n{n}" + ("" if p == "hits_7" else f"_{p}")) for n in CORNERS]) for p in populations]
         table(words, [str(n) for n in CORNERS],
-              [(p, ["–" if r is None else f"{float(r[0]):.2f} ({float(r[1]):.2f}–{float(r[2]):.2f})" for r in row]) for p, row in found])
+              [(p, ["–" if r is None else "{:.2f} ({:.2f}–{:.2f})".format(*r) for r in row]) for p, row in found])
 
 
 if __name__ == "__main__":

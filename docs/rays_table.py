@@ -3,39 +3,36 @@
 
 Reads what `./run bench tracer` prints; types no figure.
 """
-import re
 import sys
 
-ROW = re.compile(r"^(\S+)/(\S+) +([0-9.]+) +([0-9.]+) +([0-9.]+) +\d+$")
-RATIO = re.compile(r"^ratio (\S+) ([0-9.]+) (?:\[([0-9.]+), ([0-9.]+)\])?")
+from compare_benches import ratios
+from predicate_table import rows
+
 RAYS = {"coherent_16k": "coherent, 16 k", "random_16k": "random, 16 k", "coherent_1m": "coherent, 1 M", "random_1m": "random, 1 M"}
 CASTERS = ("ours", "ours_batch", "embree", "aabb")
 QUOTIENTS = ("embree", "embree_batch", "aabb_single", "aabb")
 
 
 def ratio(found):
-    return "–" if found is None else f"{float(found[0]):.2f} [{float(found[1]):.2f}, {float(found[2]):.2f}]"
+    return "–" if found is None else "{:.2f} [{:.2f}, {:.2f}]".format(*found)
 
 
 def main(path):
-    with open(path, encoding="utf-8") as file:
-        lines = [line.rstrip("\n") for line in file]
-    times = {(m[1], m[2]): float(m[3]) for m in map(ROW.match, lines) if m}
-    ratios = {m[1]: m.group(2, 3, 4) for m in map(RATIO.match, lines) if m}
+    times, quotients = rows(path), ratios(path)
     print("| ns a ray | ours, single | ours, batch | Embree robust | CGAL AABB | single over Embree | batch over Embree | single over CGAL | batch over CGAL |")
     print("|---|---|---|---|---|---|---|---|---|")
     for name, words in RAYS.items():
-        cells = [f"{times[(name, caster)]:,.0f}" for caster in CASTERS] + [ratio(ratios.get(f"{q}_{name}")) for q in QUOTIENTS]
+        cells = [f"{times[(name, caster)][0]:,.0f}" for caster in CASTERS] + [ratio(quotients.get(f"{q}_{name}")) for q in QUOTIENTS]
         print(f"| {words} | " + " | ".join(cells) + " |")
     for kind in ("coherent", "random"):
-        cells = [ratio(ratios.get(f"slowdown_{kind}_{caster}")) for caster in CASTERS]
+        cells = [ratio(quotients.get(f"slowdown_{kind}_{caster}")) for caster in CASTERS]
         print(f"| slow-down {kind} | " + " | ".join(cells) + " | | | | |")
     print()
     print("| CPU ns a pixel | ours | POV-Ray 3.7 | ours is faster by |")
     print("|---|---|---|---|")
     for (scene, who), time in times.items():
         if who == "povray":
-            print(f"| {scene} | {times[(scene, 'ours')]:,.0f} | {time:,.0f} | {ratio(ratios.get('povray_frame_' + scene))} |")
+            print(f"| {scene} | {times[(scene, 'ours')][0]:,.0f} | {time[0]:,.0f} | {ratio(quotients.get('povray_frame_' + scene))} |")
 
 
 if __name__ == "__main__":
