@@ -76,8 +76,8 @@ struct Start {
   void* with;
 };
 
-/// Before static objects are made, as is the repair of the floating-point environment. All are looked up here: where the
-/// first call of one comes from inside dlopen, dlsym would free the state of an error that dlopen still writes to.
+/// Before static objects are made, as is the repair of the floating-point environment. All are looked up here: where
+/// the first call of one comes from inside dlopen, dlsym would free the state of an error that dlopen still writes to.
 [[gnu::constructor(101)]] void install_early() {
   tribunal::install_last_resort();
   next_malloc.get();

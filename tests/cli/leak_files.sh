@@ -124,8 +124,8 @@ refused() {
   expect 3 judge --mesh notch.off --rays own.jsonl --answers answers.jsonl && says err "$1" && [ "$(wc -l <err)" -eq 1 ]
 }
 refused 'no ray' '{"id":"yours","any":1}'
-refused 'expected one of 14 faces' '{"id":"mine","closest":{"face":14}}'
-refused 'expected one of 14 faces' '{"id":"mine","closest":{"face":-1}}'
+refused 'expected a whole number from 0 to 13' '{"id":"mine","closest":{"face":14}}'
+refused 'expected a whole number from 0 to 13' '{"id":"mine","closest":{"face":-1}}'
 refused 'a second answer' '{"id":"mine","any":1}' '{"id":"mine","any":1}'
 refused 'expected 0 or 1' '{"id":"mine","any":2}'
 refused 'unknown key' '{"id":"mine","closets":null}'

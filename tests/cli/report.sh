@@ -162,7 +162,7 @@ expect 0 report . ./mine mine/../mine linked --out x.html
 cp out of-all
 expect 0 report . --out x.html && cmp out of-all
 sed 's/"asked": [0-9]*/"asked": "many"/' mine/summary.json >broken/summary.json
-expect 3 report all broken --out no.html && says err 'broken/summary.json: not as `fuzz` is written' && [ "$(wc -l <err)" -eq 1 ]
+expect 3 report all broken --out no.html && says err 'broken/summary.json: counts[0].asked: expected a whole number' && [ "$(wc -l <err)" -eq 1 ]
 head -c 1000 mine/summary.json >broken/summary.json
 expect 3 report broken --out no.html && [ "$(wc -l <err)" -eq 1 ]
 cp mine/summary.json broken && echo '{"id":"x","seg":[[0,0,0]],"tri":[]}' >broken/counterexamples.jsonl
@@ -170,13 +170,16 @@ expect 3 report broken --out no.html && says err 'broken/counterexamples.jsonl:1
 mkdir -p deep/1/2/3/4/5/6/7/8/9/10/11/12/13/14/15/16/17/18/19/20 && cp -r mine deep/mine
 expect 0 report deep --out deep.html
 (ulimit -n 14 && expect 3 report deep --out no.html && says err ': cannot be read' && [ "$(wc -l <err)" -eq 1 ])
-ln -s counterexamples.jsonl deep/1/counterexamples.jsonl && cp mine/summary.json deep/1 && ln -s nowhere deep/summary.json && ln -s summary-loop.json deep/summary-loop.json && expect 0 report deep --out deep.html
+cp mine/summary.json deep/1 && ln -s nowhere deep/summary.json && ln -s summary-loop.json deep/summary-loop.json && expect 0 report deep --out deep.html
+ln -s counterexamples.jsonl deep/1/counterexamples.jsonl  # to itself
+expect 3 report deep --out no.html && says err 'deep/1/counterexamples.jsonl: cannot read: ' && [ "$(wc -l <err)" -eq 1 ]
 [ ! -e no.html ]
 
 # Terminals are not steered by names.
 mkdir escape
 sed 's/my-mt/my\\u001b[31mt/' mine/summary.json >escape/summary.json
-expect 0 report escape --out $'escape\033[31m.html' && says out 'my?[31mt: wrong in' && says out 'open escape?[31m.html' && lacks out $'\033'
+expect 2 report escape --out $'escape\033[31m.html' && says err 'found "escape\u001b[31m.html"' && lacks err $'\033'
+expect 0 report escape --out escape.html && says out 'my\u001b[31mt: wrong in' && lacks out $'\033'
 
 # The atlas in docs/ is the one that the program's classes make.
 "${PYTHON:-python3}" "$SOURCE_DIR/docs/atlas.py" "$TRIBUNAL" drawn

@@ -3,11 +3,16 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <ostream>
 
 #include "exact/base/files.h"
 #include "tests/fuzz/targets.h"
 
 namespace tribunal::fuzzing {
+
+/// The name of a test tells its target by this.
+static void PrintTo(const Target& target, std::ostream* out) { *out << target.name; }
+
 namespace {
 
 namespace fs = std::filesystem;
