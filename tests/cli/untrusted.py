@@ -342,6 +342,21 @@ def try_results(results):
             write(file, kept)
 
 
+def try_names(results):
+    """Directories that report walks, and meshes that a scene names, may be called anything."""
+    for number, text in enumerate(ON_COMMAND_LINE):
+        name = os.fsencode(text).replace(b"/", b"")[:200]
+        inner = os.path.join(os.fsencode(fresh("walked")), name)
+        os.makedirs("walked")
+        subprocess.run([b"cp", b"-r", os.fsencode(results[0]), inner], check=True)
+        write(os.path.join(inner, name + b".off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
+        code = run(f"a directory is called text {number}", "report", "walked", "--out", "page.html", "--json", "page.json", out=".")
+        if code != 0:
+            complain(f"a directory is called text {number}", f"report: exit {code}")
+        fresh("page.html")
+        fresh("walked")
+
+
 def try_plugin(library):
     for isolate in ([], ["--isolate"]):
         for command in (("fuzz", "--method", "faulty", "--family", "affine", "--count", "100", "--keep", "1", "--out", "found"),
@@ -358,6 +373,7 @@ if __name__ == "__main__":
         part()
     try_results(results)
     every = 1
+    try_names(results)
     try_plugin(library)
     print(f"tried {runs}, broke {len(problems)}: runs with untrusted text in one field")
     sys.exit(1 if problems else 0)
