@@ -39,9 +39,7 @@ bool takes_pairs(const Method& m) {
 }
 
 /// Figures with all rivals cannot be read: of the methods with an exact twin only those with the role are drawn.
-bool is_charted(const Method& m) {
-  return !has(m, Capability::exact_twin) || has_role(m, Role::charted);
-}
+bool is_charted(const Method& m) { return !has(m, Capability::exact_twin) || has_role(m, Role::charted); }
 
 ChartPlan plan_of(const Options& o) {
   ChartPlan plan = o.plan;
