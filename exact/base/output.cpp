@@ -427,12 +427,13 @@ class OutputSet::Files {
   }
 
   void move_aside(const OutputFile::Staged& f) {
-    if (f.target().kind == Target::Kind::regular) move_aside(f.directory(), f.target().name, f.named());
+    if (f.target().kind == Target::Kind::regular) move_aside(f.directory(), f.target().name, f.named(), true);
   }
 
-  /// A file that is not there need not move; one that cannot is overwritten, and that cannot be undone.
-  void move_aside(const std::shared_ptr<const Directory>& directory, const std::string& name,
-                  const std::string& named) {
+  /// A file that is not there need not move; one that cannot, if it may stay, is overwritten, and that cannot be
+  /// undone.
+  void move_aside(const std::shared_ptr<const Directory>& directory, const std::string& name, const std::string& named,
+                  bool may_stay) {
     auto aside = std::make_unique<Temporary>(directory);
     if (renameat(directory->descriptor(), name.c_str(), aside->directory(), aside->name()) == 0) {
       moved_.push_back({directory, name, std::move(aside)});
@@ -440,14 +441,14 @@ class OutputSet::Files {
     }
     const int error = errno;
     aside->release();
-    if (error == ENOENT || error == EBUSY || error == EPERM || error == EACCES) return;
+    if (error == ENOENT || (may_stay && (error == EBUSY || error == EPERM || error == EACCES))) return;
     throw output_failed(named, error);
   }
 
   void remove_dropped() {
     for (const std::string& path : dropped) {
       const auto [folder, name] = split(path);
-      move_aside(open_directory(folder, path), name, path);
+      move_aside(open_directory(folder, path), name, path, false);
     }
   }
 
