@@ -44,23 +44,26 @@ int depth_of(std::string_view text) {
   return deepest;
 }
 
-/// Whether a hex float out of range is too small rather than too large: its exponent says so.
-bool is_tiny(std::string_view hex_float) {
-  const std::size_t p = hex_float.find_first_of("pP");
-  return p != std::string_view::npos && hex_float.substr(p + 1).starts_with('-');
-}
-
 /// What becomes of a number like 1e999, beyond binary64: the text is refused, or the number is infinite.
 enum class Beyond { refused, infinite };
 
 // --- what the parser would misread --------------------------------------------------------------------------------
 
-/// The power of ten of the first digit that is not 0, of a decimal number other than 0 without a sign.
-long magnitude(std::string_view number) {
-  const std::size_t e = std::min(number.find_first_of("eE"), number.size());
+/// How numbers are written.
+struct Notation {
+  const char* digits;  ///< without 0
+  const char* marks;   ///< what an exponent begins with
+  long powers;         ///< a digit further to the left is worth so many powers of the exponent's base
+};
+constexpr Notation decimal = {"123456789", "eE", 1};
+constexpr Notation hexadecimal = {"123456789abcdefABCDEF", "pP", 4};
+
+/// The power of the exponent's base of the first digit that is not 0, of a number other than 0 without a sign.
+long magnitude(std::string_view number, const Notation& notation) {
+  const std::size_t e = std::min(number.find_first_of(notation.marks), number.size());
   const std::string_view digits = number.substr(0, e);
   const auto point = static_cast<long>(std::min(digits.find('.'), digits.size()));
-  const auto first = static_cast<long>(digits.find_first_of("123456789"));
+  const auto first = static_cast<long>(digits.find_first_of(notation.digits));
   long exponent = 0;
   if (e < number.size()) {
     std::string_view power = number.substr(e + 1);
@@ -68,7 +71,8 @@ long magnitude(std::string_view number) {
     const auto [end, error] = std::from_chars(power.data(), power.data() + power.size(), exponent);
     if (error == std::errc::result_out_of_range) exponent = power.starts_with('-') ? -max_power : max_power;
   }
-  return std::clamp(exponent, -max_power, max_power) + (first < point ? point - first - 1 : point - first);
+  const long places = first < point ? point - first - 1 : point - first;
+  return std::clamp(exponent, -max_power, max_power) + notation.powers * places;
 }
 
 /// Whether a JSON number rounds to infinity in binary64.
@@ -77,7 +81,7 @@ bool is_beyond_binary64(std::string_view number) {
   if (number.size() < 300 && number.find_first_of("eE") == std::string_view::npos) return false;
   double x = 0;
   const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), x);
-  return error == std::errc::result_out_of_range && magnitude(number) > 0;
+  return error == std::errc::result_out_of_range && magnitude(number, decimal) > 0;
 }
 
 /// A JSON text in which no number is one that the parser misreads.
@@ -190,6 +194,9 @@ Json parsed(std::string_view given, const Where& where, Beyond beyond) {
     if (where.line > 1) where.fail("a byte-order mark, expected none but at the start of the file");
     given.remove_prefix(byte_order_mark.size());
   }
+  // The parser skips a mark of its own, and takes a byte 0 for the end of the text.
+  if (given.starts_with(byte_order_mark)) where.fail("not valid JSON: a second byte-order mark");
+  if (given.find('\0') != given.npos) where.fail("not valid JSON: a byte 0");
   const auto [text, infinite] = readable(given, beyond);
   if (depth_of(text) > max_depth) where.fail("nested deeper than " + std::to_string(max_depth) + " levels");
   try {
@@ -232,9 +239,11 @@ bool parse_hex_float(std::string_view text, double& x) {
   if (!text.starts_with("0x") && !text.starts_with("0X")) return false;
   text.remove_prefix(2);
   if (text.empty() || text.front() == '-') return false;
+  if (text.find("+-") != text.npos) return false;  // which from_chars of libstdc++ 12 takes for "-"
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x, std::chars_format::hex);
   if (end != text.data() + text.size()) return false;
-  if (error == std::errc::result_out_of_range) x = is_tiny(text) ? 0 : std::numeric_limits<double>::infinity();
+  if (error == std::errc::result_out_of_range)
+    x = magnitude(text, hexadecimal) < 0 ? 0 : std::numeric_limits<double>::infinity();
   if (negative) x = -x;
   return error == std::errc{} || error == std::errc::result_out_of_range;
 }

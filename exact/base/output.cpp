@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <climits>
 #include <cstdio>
@@ -176,6 +177,11 @@ std::shared_ptr<const Directory> open_directory(const std::string& folder, const
   throw output_failed(named, error.code().value());
 }
 
+/// Whether this process has put a result into its place.
+std::atomic<bool> one_is_placed = false;
+
+std::string not_written() { return one_is_placed ? "not all is written" : "nothing written"; }
+
 }  // namespace
 
 // --- one file -------------------------------------------------------------------------------------------------------
@@ -237,12 +243,14 @@ class OutputFile::Staged {
 
   /// All that can fail before anything is changed. After it the file has its owner and mode, and is on the disk.
   void finish() {
+    if (finished_) return;
     write_bytes(shown_lines(unshown_));
     unshown_.clear();
     spill();
     if (target_.kind == Target::Kind::regular) keep_owner_and_mode();
     if (temporary_ || adopted_) file_.flush(named_);
     if (temporary_ || !in_place_) file_.close(named_);
+    finished_ = true;
   }
 
   /// Puts the file into its place. Returns whether that can be undone by renaming.
@@ -342,6 +350,7 @@ class OutputFile::Staged {
   Descriptor file_{};
   std::string buffer_{}, unshown_{};
   bool in_place_ = false;
+  bool finished_ = false;
   bool is_shown_ = false;  ///< as people read it, who may be at a terminal (shown.h)
 };
 
@@ -362,8 +371,9 @@ void OutputFile::commit(AfterSignal after) {
   refuse_changed_rounding();
   staged_->finish();
   const UnbrokenEnd unbroken;
-  if (after == AfterSignal::nothing) fail_if_interrupted("nothing written");
+  if (after == AfterSignal::nothing) fail_if_interrupted(not_written());
   staged_->place();
+  one_is_placed = true;
 }
 
 void write_file(const std::string& path, std::string_view bytes, AfterSignal after) {
@@ -488,14 +498,20 @@ void OutputSet::adopt(const std::string& from, const std::string& path) {
   files_->files.push_back(std::make_unique<OutputFile>(std::move(file)));
 }
 
+void OutputSet::prepare() {
+  refuse_changed_rounding();
+  files_->finish();
+}
+
 void OutputSet::drop(const std::string& path) { files_->dropped.push_back(path); }
 
 void OutputSet::commit(AfterSignal after) {
   refuse_changed_rounding();
   files_->finish();
   const UnbrokenEnd unbroken;
-  if (after == AfterSignal::nothing) fail_if_interrupted("nothing written");
+  if (after == AfterSignal::nothing) fail_if_interrupted(not_written());
   files_->place_all();
+  one_is_placed = true;
   *this = OutputSet();
 }
 

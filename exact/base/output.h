@@ -69,6 +69,10 @@ class OutputSet {
   /// A file of an earlier result, removed by commit() if it is there.
   void drop(const std::string& path);
 
+  /// Writes to the end what commit() renames: what can fail for want of space or leave, fails here. Of several sets of
+  /// one command each is prepared before the first is committed.
+  void prepare();
+
   void commit(AfterSignal = AfterSignal::nothing);
 
  private:

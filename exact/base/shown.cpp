@@ -34,13 +34,20 @@ Character first_of(std::string_view text) {
   return code < least[bytes] || surrogate || code > 0x10ffff ? Character{lead, 0} : Character{code, bytes};
 }
 
-/// All below U+10000, so that an escape of four digits names each.
+/// What steers, and what shows as nothing: controls, separators of lines, the characters of format (Cf) and those with
+/// Default_Ignorable_Code_Point (Unicode Standard Annex #44, version 15.0), private use, and what is no character.
 bool is_hidden(std::uint32_t code) {
   constexpr struct {
     std::uint32_t from, to;
-  } hidden[] = {{0x0, 0x1f},      {0x7f, 0x9f},     {0x61c, 0x61c},  {0x200e, 0x200f},
-                {0x2028, 0x202e}, {0x2066, 0x2069}, {0xfeff, 0xfeff}};
-  return std::ranges::any_of(hidden, [&](const auto& range) { return code >= range.from && code <= range.to; });
+  } hidden[] = {{0x0, 0x1f},        {0x7f, 0x9f},       {0xad, 0xad},       {0x34f, 0x34f},     {0x600, 0x605},
+                {0x61c, 0x61c},     {0x6dd, 0x6dd},     {0x70f, 0x70f},     {0x890, 0x891},     {0x8e2, 0x8e2},
+                {0x115f, 0x1160},   {0x17b4, 0x17b5},   {0x180b, 0x180f},   {0x200b, 0x200f},   {0x2028, 0x202e},
+                {0x2060, 0x206f},   {0x3164, 0x3164},   {0xe000, 0xf8ff},   {0xfdd0, 0xfdef},   {0xfe00, 0xfe0f},
+                {0xfeff, 0xfeff},   {0xffa0, 0xffa0},   {0xfff0, 0xfffb},   {0x110bd, 0x110bd}, {0x110cd, 0x110cd},
+                {0x13430, 0x1343f}, {0x1bca0, 0x1bca3}, {0x1d173, 0x1d17a}, {0xe0000, 0xe0fff}, {0xf0000, 0x10ffff}};
+  const bool no_character = (code & 0xfffe) == 0xfffe;
+  return no_character ||
+         std::ranges::any_of(hidden, [&](const auto& range) { return code >= range.from && code <= range.to; });
 }
 
 void add_escape(std::string& text, const char* format, std::uint32_t code) {
@@ -64,7 +71,7 @@ std::string shown_but(std::string_view text, std::string_view kept) {
     if (c.bytes == 0) {
       add_escape(result, "\\x%02x", c.code);
     } else if (is_hidden(c.code)) {
-      add_escape(result, "\\u%04x", c.code);
+      add_escape(result, c.code < 0x10000 ? "\\u%04x" : "\\U%08x", c.code);
     } else {
       result += text.substr(i, c.bytes);
     }

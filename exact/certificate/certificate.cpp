@@ -539,8 +539,7 @@ void for_each_counterexample(const Log& log, const std::function<void(const Reco
   });
 }
 
-Certificate write_certificate(const std::string& directory, ChainedLog& log) {
-  OutputSet set;
+Certificate add_certificate(OutputSet& set, const std::string& directory, ChainedLog& log) {
   log.finish();
   const Log records(log);
   const Certificate c = certificate_from(records);
@@ -550,6 +549,12 @@ Certificate write_certificate(const std::string& directory, ChainedLog& log) {
   for_each_counterexample(records, [&](const Record&, const std::string& line) { cases.write(line); });
   set.add(directory + "/certificate.md", to_markdown(c));
   set.add(directory + "/certificate.json", to_json(c).dump(1) + "\n");
+  return c;
+}
+
+Certificate write_certificate(const std::string& directory, ChainedLog& log) {
+  OutputSet set;
+  const Certificate c = add_certificate(set, directory, log);
   set.commit();
   return c;
 }

@@ -10,6 +10,7 @@
 
 #include "core/contract.h"
 #include "exact/base/json.h"
+#include "exact/base/output.h"
 #include "exact/record/chain.h"
 #include "exact/record/sample_row.h"
 #include "exact/trial/coverage.h"
@@ -165,5 +166,8 @@ void for_each_counterexample(const Log& log, const std::function<void(const Reco
 /// Finishes the log, writes log.jsonl, certificate.json, certificate.md and counterexamples.jsonl, and returns the
 /// certificate.
 Certificate write_certificate(const std::string& directory, ChainedLog& log);
+
+/// The same, but for the commit.
+Certificate add_certificate(OutputSet& set, const std::string& directory, ChainedLog& log);
 
 }  // namespace tribunal

@@ -6,15 +6,24 @@
 #include <sstream>
 #include <string>
 
+#include "exact/base/failure.h"
 #include "exact/base/files.h"
 #include "exact/base/json.h"
 
 namespace tribunal {
 namespace {
 
+std::string read_if_readable(const std::string& file) {
+  try {
+    return read_file(file);
+  } catch (const Failure& f) {
+    if (f.exit() != Exit::bad_input) throw;
+    return "";
+  }
+}
+
 std::string read_processor() {
-  const std::string file = "/proc/cpuinfo";
-  std::istringstream info(exists(file) ? read_file(file) : "");
+  std::istringstream info(read_if_readable("/proc/cpuinfo"));
   for (std::string line; std::getline(info, line);) {
     if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
   }

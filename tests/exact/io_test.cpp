@@ -27,6 +27,7 @@ double read_number(const std::string& json, Format format = Format::binary64) {
 TEST(Numbers, HexFloatsAndDecimalsAreReadExactly) {
   EXPECT_EQ(read_number("\"0x1.8p+1\""), 3);
   EXPECT_EQ(read_number("\"-0x1p-1074\""), -0x1p-1074);
+  EXPECT_EQ(read_number("\"0x0." + std::string(300, '0') + "1p+10\""), 0) << "too small, by its digits";
   EXPECT_EQ(read_number("\"0x0.0000000000001p-1022\""), 0x1p-1074) << "as printf writes it";
   EXPECT_EQ(read_number("\"0x1.fffffffffffffp+1023\""), std::numeric_limits<double>::max());
   EXPECT_TRUE(std::signbit(read_number("\"-0x0p+0\"")));
@@ -46,7 +47,8 @@ TEST(Numbers, WhatIsNotFiniteIsATokenOfCasesAlone) {
   for (const Format format : {Format::binary64, Format::binary32}) {
     for (const std::string& token : std::vector<std::string>{
              "\"inf\"", "\"+inf\"", "\"Infinity\"", "\"INF\"", "1e999", "1e309", "1.8e308", "1E+400", "\"0x1p+1024\"",
-             "\"0x1.fffffffffffff8p+1023\"", "100000e99999999999999999999", "0.00001e999"}) {
+             "\"0x1.fffffffffffff8p+1023\"", "\"0x1" + std::string(300, '0') + "p-1\"", "100000e99999999999999999999",
+             "0.00001e999"}) {
       EXPECT_EQ(read(token, format), inf) << token;
       EXPECT_THROW(to_number(parse_json_beyond(token, {"test"}), format, {"test"}), Failure) << token;
       EXPECT_THROW(read_number(token, format), Failure) << token;
@@ -182,6 +184,10 @@ TEST_F(CaseFile, BadInputIsOneLineWithFileAndLine) {
        ":1: expect: expected 0 or 1"},
       {std::string(100, '['), ":1: nested deeper than 64 levels"},
       {std::string(3, '\0'), ":1: not valid JSON"},
+      {good + '\0' + ",\"expect\":0} anything", ":1: not valid JSON: a byte 0"},
+      {"\xEF\xBB\xBF\xEF\xBB\xBF" + good, ":1: not valid JSON: a second byte-order mark"},
+      {R"({"id":"a","seg":[[0,0,1],[0,0,"0x1p+-1"]],"tri":[[0,0,0],[1,0,0],[0,1,0]]})",
+       ":1: seg[1][2]: expected a number or a hex-float string"},
       {"{\"id\":\"" + std::string(2 << 20, 'x') + "\"}", ":1: line longer than 1 MiB"},
   };
   for (const auto& row : table) {

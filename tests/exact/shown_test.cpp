@@ -45,6 +45,13 @@ TEST(Shown, WhatSteersBecomesAnEscape) {
   EXPECT_EQ(shown("\ufeffx"), "\\ufeffx");
 }
 
+TEST(Shown, WhatShowsAsNothingBecomesAnEscape) {
+  EXPECT_EQ(shown("a\u200bb\u200dc\u00ad\u180e\u2060"), "a\\u200bb\\u200dc\\u00ad\\u180e\\u2060");
+  EXPECT_EQ(shown("\ufff9\ufffb\uffff\ufdd0\ufe0f\ue000"), "\\ufff9\\ufffb\\uffff\\ufdd0\\ufe0f\\ue000");
+  EXPECT_EQ(shown("\U000e0041\U0001fffe\U00100000"), "\\U000e0041\\U0001fffe\\U00100000");
+  EXPECT_EQ(shown("\ufffd\U0001fffd"), "\ufffd\U0001fffd") << "U+FFFD shows";
+}
+
 TEST(Shown, EachByteThatIsNoUtf8BecomesAnEscape) {
   EXPECT_EQ(shown("\xff"), "\\xff");
   EXPECT_EQ(shown("\xc3("), "\\xc3(") << "cut before its end";

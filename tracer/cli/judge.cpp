@@ -126,16 +126,20 @@ std::string directory_name(std::string name) {
   return name;
 }
 
-/// Writes one certificate into the directory itself, or several each into a numbered directory of its name.
+/// Writes one certificate into the directory itself, or several each into a numbered directory of its name; none is
+/// put into its place before all are written.
 std::string write_report(const std::string& out, std::vector<ChainedLog>& logs, const std::vector<Certificate>& all) {
   std::string text;
+  std::vector<OutputSet> sets(logs.size());
   for (std::size_t i = 0; i < logs.size(); ++i) {
     const std::string name = std::to_string(i + 1) + "-" + directory_name(all[i].method());
     const std::string directory = logs.size() == 1 ? out : out + "/" + name;
     make_directory(directory);
-    write_certificate(directory, logs[i]);
+    add_certificate(sets[i], directory, logs[i]);
+    sets[i].prepare();
     text += "see " + directory + "/certificate.md\n";
   }
+  for (OutputSet& set : sets) set.commit();
   return text;
 }
 
