@@ -116,11 +116,11 @@ void find_passages(const Surface& surface, const Ray& ray, RayTruth& truth) {
 }  // namespace
 
 bool RayTruth::crosses(std::uint32_t face) const {
-  return std::ranges::find(crossed, face, &Crossed::face) != crossed.end();
+  return std::ranges::binary_search(crossed_faces, face);
 }
 
 bool RayTruth::meets(std::uint32_t face) const {
-  return crosses(face) || std::ranges::find(along, face) != along.end() || std::ranges::find(flat, face) != flat.end();
+  return crosses(face) || std::ranges::binary_search(along, face) || std::ranges::binary_search(flat, face);
 }
 
 Facing facing_of(const Surface& surface, const Ray& ray, std::uint32_t face) {
@@ -145,6 +145,7 @@ RayTruth truth_of(const Surface& surface, const AimedRay& aimed, std::span<const
       continue;
     }
     crossings += how.direction != 0;
+    truth.crossed_faces.push_back(f);
     truth.crossed.push_back({f, answer.contact, facing_of(surface, aimed.ray, f), how.direction});
   }
   if (truth.on_surface) return truth;

@@ -52,8 +52,9 @@ struct RayTruth {
   std::vector<std::uint32_t> along{};  ///< faces with area that are met in their plane
   std::vector<std::uint32_t> flat{};   ///< faces without area that are met
   std::vector<Crossed> crossed{};      ///< by place, at one place by face
-  std::vector<Place> places{};         ///< nearest first
-  std::vector<Passage> passages{};     ///< by their first places
+  std::vector<std::uint32_t> crossed_faces{};  ///< the same, ascending, as `along` and `flat` are
+  std::vector<Place> places{};                 ///< nearest first
+  std::vector<Passage> passages{};             ///< by their first places
 
   bool touches_nothing() const { return along.empty() && flat.empty() && crossed.empty(); }
   bool crosses(std::uint32_t face) const;
