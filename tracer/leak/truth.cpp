@@ -115,9 +115,7 @@ void find_passages(const Surface& surface, const Ray& ray, RayTruth& truth) {
 
 }  // namespace
 
-bool RayTruth::crosses(std::uint32_t face) const {
-  return std::ranges::binary_search(crossed_faces, face);
-}
+bool RayTruth::crosses(std::uint32_t face) const { return std::ranges::binary_search(crossed_faces, face); }
 
 bool RayTruth::meets(std::uint32_t face) const {
   return crosses(face) || std::ranges::binary_search(along, face) || std::ranges::binary_search(flat, face);
