@@ -190,6 +190,6 @@ expect 3 judge --cases rays.jsonl --answers miss-t.jsonl && says err 'given of w
 
 # Of several methods, none has a directory with a result before all are written: here a directory is in a file's place.
 expect 0 classify --method sf-filtered,mt-float --in "$SOURCE_DIR/data/cases/rival-witnesses.jsonl" --out of-two.jsonl
-mkdir -p two/2-mt-float/certificate.json
-expect 5 judge --cases "$SOURCE_DIR/data/cases/rival-witnesses.jsonl" --answers of-two.jsonl --out two
-says err 'two/2-mt-float/certificate.json: cannot write' && [ -z "$(find two -type f)" ]
+mkdir -p half/2-mt-float/certificate.json
+expect 5 judge --cases "$SOURCE_DIR/data/cases/rival-witnesses.jsonl" --answers of-two.jsonl --out half
+says err 'half/2-mt-float/certificate.json: cannot write' && [ -z "$(find half -type f)" ]
