@@ -20,22 +20,36 @@ class Group:
 FILTERED = tuple(f'exact/filtered/{name}.cpp' for name in ('filtered', 'filtered_kernel', 'crossing', 'hit_fraction',
                                                            'rounded_parameter', 'stages/integer_image'))
 
+KERNELS = tuple(f'exact/kernels/{name}.cpp' for name in ('dyadic', 'expansion_kernel', 'expansion_range',
+                                                        'extended_rational', 'product_sum'))
+
+CLASSES = (('embedded_classes163', 'data/classes163.tsv'), ('embedded_ray_classes', 'data/ray_classes.tsv'))
+
 GROUPS = (
     Group('kill.cpp', ('core/sign.h', 'core/vec3.h', 'core/signed_volume.h', 'core/kernel.h', 'core/coplanar.h',
-                       'core/segura_feito.h', 'core/operands.h', 'exact/classes/chirotope.h'),
+                       'core/segura_feito.h', 'core/operands.h', 'exact/classes/chirotope.h', 'exact/oracles/caratheodory.h'),
           arguments=('data/classes163.tsv', 'data/ray_classes.tsv')),
     Group('kill_polygons.cpp', ('core/covering.h', 'core/segura_feito_polygon.h', 'core/polygon.h', 'core/longest_axis.h',
-                                'core/products.h')),
+                                'core/products.h', 'exact/oracles/point_in_rings.h', 'exact/oracles/polygon_oracles.h')),
     Group('kill_filters.cpp', ('exact/filtered/filter_bounds.h', 'exact/filtered/filter.h',
                                'exact/filtered/term_filter.h', 'exact/filtered/within_filter.h',
                                'exact/filtered/shared_volumes.h', 'exact/filtered/twin.h', 'exact/filtered/filtered.h')),
+    Group('kill_verdicts.cpp', ('core/due.h', 'core/contract.h', 'exact/trial/judge.h', 'exact/trial/judge.cpp',
+                                'exact/trial/outcome.h', 'exact/trial/outcome.cpp', 'exact/trial/count.h',
+                                'exact/trial/count.cpp'),
+          sources=('tests/mutation/kill_counts.cpp', 'exact/trial/judge.cpp', 'exact/trial/outcome.cpp',
+                   'exact/trial/count.cpp', 'exact/classes/class_table.cpp'), embedded=CLASSES, coverage_flags=()),
+    Group('kill_kernels.cpp', KERNELS + tuple(f'exact/kernels/{name}.h' for name in (
+              'bounded_integer', 'dyadic', 'expansion', 'expansion_bound', 'expansion_kernel', 'extended_rational', 'integers',
+              'lattice_kernel', 'product_sum')),
+          sources=KERNELS + ('tests/mutation/kill_numbers.cpp',), libraries=('-lgmpxx', '-lgmp'), coverage_flags=(), slow=True),
     Group('kill_filtered.cpp', FILTERED + ('exact/filtered/filtered_kernel.h', 'exact/filtered/tally.h',
                                            'exact/filtered/double_double.h', 'exact/filtered/stages/exact_stages.h',
                                            'exact/filtered/stages/fixed_integer.h', 'exact/filtered/stages/grid_kernel.h',
                                            'exact/filtered/stages/integer_image.h',
                                            'exact/filtered/stages/default_rounding.h'),
           sources=FILTERED + ('exact/kernels/dyadic.cpp', 'exact/classes/class_table.cpp'),
-          embedded=(('embedded_classes163', 'data/classes163.tsv'), ('embedded_ray_classes', 'data/ray_classes.tsv')),
+          embedded=CLASSES,
           libraries=('-lmpfr', '-lgmpxx', '-lgmp'), coverage_flags=(), slow=True),
 )
 GROUP_OF = {file: group for group in GROUPS for file in group.files}
