@@ -23,6 +23,9 @@ FILTERED = tuple(f'exact/filtered/{name}.cpp' for name in ('filtered', 'filtered
 KERNELS = tuple(f'exact/kernels/{name}.cpp' for name in ('dyadic', 'expansion_kernel', 'expansion_range',
                                                         'extended_rational', 'product_sum'))
 
+TRUTHS = ('exact/classes/class_table.cpp',) + tuple(f'exact/trial/{name}.cpp' for name in ('formulations', 'quick_truth',
+                                                                                         'truth'))
+
 CLASSES = (('embedded_classes163', 'data/classes163.tsv'), ('embedded_ray_classes', 'data/ray_classes.tsv'))
 
 GROUPS = (
@@ -51,6 +54,12 @@ GROUPS = (
           sources=FILTERED + ('exact/kernels/dyadic.cpp', 'exact/classes/class_table.cpp'),
           embedded=CLASSES,
           libraries=('-lmpfr', '-lgmpxx', '-lgmp'), coverage_flags=(), slow=True),
+    Group('kill_truths.cpp', TRUTHS + ('exact/classes/class_table.h', 'exact/classes/classify.h',
+                                       'exact/trial/formulations_on.h', 'exact/trial/truth.h',
+                                       'exact/trial/truth_rules.h'),
+          sources=TRUTHS + KERNELS + ('tests/mutation/kill_classes.cpp', 'exact/filtered/stages/integer_image.cpp'),
+          embedded=CLASSES,
+          libraries=('-lgmpxx', '-lgmp'), coverage_flags=(), slow=True),
 )
 GROUP_OF = {file: group for group in GROUPS for file in group.files}
 
