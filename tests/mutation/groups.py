@@ -23,6 +23,9 @@ FILTERED = tuple(f'exact/filtered/{name}.cpp' for name in ('filtered', 'filtered
 KERNELS = tuple(f'exact/kernels/{name}.cpp' for name in ('dyadic', 'expansion_kernel', 'expansion_range',
                                                         'extended_rational', 'product_sum'))
 
+TREE = tuple(f'tracer/accel/{name}.cpp' for name in ('boxed_faces', 'triangle_queries', 'triangle_tree', 'wide/bins',
+                                                     'wide/build', 'wide/probe', 'wide/tree'))
+
 TRUTHS = ('exact/classes/class_table.cpp',) + tuple(f'exact/trial/{name}.cpp' for name in ('formulations', 'quick_truth',
                                                                                          'truth'))
 
@@ -54,6 +57,16 @@ GROUPS = (
           sources=FILTERED + ('exact/kernels/dyadic.cpp', 'exact/classes/class_table.cpp'),
           embedded=CLASSES,
           libraries=('-lmpfr', '-lgmpxx', '-lgmp'), coverage_flags=(), slow=True),
+    Group('kill_tree.cpp', TREE + tuple(f'tracer/accel/{name}.h' for name in (
+              'boxed_faces', 'certified', 'lanes_at_work', 'triangle_tree', 'wide/bins', 'wide/box', 'wide/closest',
+              'wide/leaf_filter', 'wide/packet', 'wide/packet_boxes', 'wide/packet_lanes', 'wide/probe', 'wide/probe_lanes',
+              'wide/queries', 'wide/stream_lanes', 'wide/traversal', 'wide/traversal_lanes', 'wide/tree',
+              'wide/waiting_lanes')),
+          sources=TREE + FILTERED + tuple(f'tracer/accel/wide/{name}.cpp' for name in (
+              'packet', 'packet_portable', 'traversal', 'traversal_portable')) +
+          ('tests/mutation/kill_boxes.cpp', 'tests/mutation/kill_packets.cpp', 'exact/filtered/filtered_polygon.cpp',
+           'exact/kernels/dyadic.cpp', 'exact/classes/class_table.cpp'),
+          embedded=CLASSES, libraries=('-ltbb', '-lmpfr', '-lgmpxx', '-lgmp'), coverage_flags=(), slow=True),
     Group('kill_truths.cpp', TRUTHS + ('exact/classes/class_table.h', 'exact/classes/classify.h',
                                        'exact/trial/formulations_on.h', 'exact/trial/truth.h',
                                        'exact/trial/truth_rules.h'),
