@@ -162,16 +162,23 @@ struct Found {
   Weights<N> weights{};
 };
 
+/// Whether `meet` gives a Found for all t.
+template <template <class> class Rival, class N>
+inline constexpr bool finds_on_lines = requires(Vec3<N> v, typename Rival<N>::Prepared t) {
+  { Rival<N>::meet(v, v, t) } -> std::same_as<Found<N>>;
+};
+
+/// The same up to a largest t.
+template <template <class> class Rival, class N>
+inline constexpr bool finds_within = requires(Vec3<N> v, N t_max, typename Rival<N>::Prepared t) {
+  { Rival<N>::meet(v, v, t_max, t) } -> std::same_as<Found<N>>;
+};
+
 /// Whether R was published for registers: its `meet` gives a Found.
 template <class R>
 inline constexpr bool runs_on_lanes = false;
 
 template <template <class> class Rival, class N>
-inline constexpr bool runs_on_lanes<Rival<N>> = requires(Vec3<N> v, N t_max, typename Rival<N>::Prepared t) {
-  { Rival<N>::meet(v, v, t) } -> std::same_as<Found<N>>;
-}
-|| requires(Vec3<N> v, N t_max, typename Rival<N>::Prepared t) {
-  { Rival<N>::meet(v, v, t_max, t) } -> std::same_as<Found<N>>;
-};
+inline constexpr bool runs_on_lanes<Rival<N>> = finds_on_lines<Rival, N> || finds_within<Rival, N>;
 
 }  // namespace tribunal::published

@@ -1,6 +1,6 @@
 #include "exact/base/plain_locale.h"
 
-#include <locale.h>  // NOLINT: uselocale is POSIX's
+#include <locale.h>  // uselocale is POSIX's
 
 #include <clocale>
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/operands.h"
 #include "core/sign.h"
 #include "core/signed_volume.h"
 

@@ -66,7 +66,7 @@ tribunal_plugin description_in(const Introduction& received) {
 
 std::string load_isolated(const std::string& file, double time_limit) {
   const auto children = std::make_shared<const PluginChildren>(file, time_limit);
-  const Introduction received = children->introduction();
+  const Introduction& received = children->introduction();
   const tribunal_plugin plugin = description_in(received);
   if (received.has_tree) {
     loaded().meshes.push_back(mesh_plugin(plugin, received.meshes, file, [children](auto vertices, auto corners) {

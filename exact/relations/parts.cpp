@@ -92,11 +92,11 @@ std::optional<bool> is_evident(const Answer& answer, const Query& query, const s
 
 }  // namespace
 
-Instance equal(std::vector<Query> one, std::vector<Query> other) {
+Instance equal(std::vector<Query> one, const std::vector<Query>& other) {
   return between(std::move(one), other, [](bool before, bool after) { return before == after; });
 }
 
-Instance implies(std::vector<Query> one, std::vector<Query> other) {
+Instance implies(std::vector<Query> one, const std::vector<Query>& other) {
   return between(std::move(one), other, [](bool before, bool after) { return !before || after; });
 }
 

@@ -40,8 +40,8 @@ std::optional<Instance> hit_has_point(const Query& query, Format format, Draw& d
 std::optional<Instance> miss_has_plane(const Query& query, Format format, Draw& draw);
 
 /// Some query of `one` is a hit iff some of `other` is; the second: only if.
-Instance equal(std::vector<Query> one, std::vector<Query> other);
-Instance implies(std::vector<Query> one, std::vector<Query> other);
+Instance equal(std::vector<Query> one, const std::vector<Query>& other);
+Instance implies(std::vector<Query> one, const std::vector<Query>& other);
 
 /// The move of a query; it leaves the bounds of a ray as they are, as all of these do.
 template <Move move>

@@ -84,7 +84,7 @@ Count& Count::operator+=(const Count& other) {
 std::string breakdown(const Count& count) {
   std::string text = outcomes_of(count);
   for (const std::string& part : {severities_of(count), causes_of(count)}) {
-    if (!part.empty()) text += "; " + part;
+    if (!part.empty()) text += (text.empty() ? "" : "; ") + part;
   }
   if (count.unsaid() > 0) text += (text.empty() ? "" : "; ") + std::to_string(count.unsaid()) + " of a kind not said";
   if (count.refused > 0) text += (text.empty() ? "" : "; ") + std::to_string(count.refused) + " refused";

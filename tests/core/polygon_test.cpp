@@ -73,7 +73,7 @@ TEST(PolygonTest, ProbesInThePlane) {
 }
 
 TEST(PolygonTest, RingsWithoutArea) {
-  const auto ring = [](std::vector<Point3> v) { return PolygonData{}.add(v); };
+  const auto ring = [](const std::vector<Point3>& v) { return PolygonData{}.add(v); };
   const PolygonData point = ring({{1, 2, 3}}), line = ring({{0, 0, 0}, {8, 8, 8}, {4, 4, 4}});
   EXPECT_TRUE(ask(Segment{{1, 2, 0}, {1, 2, 9}}, point).hit);
   EXPECT_FALSE(ask(Segment{{1, 2, 4}, {1, 2, 9}}, point).hit);

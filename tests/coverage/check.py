@@ -2,7 +2,9 @@
 """Holds branch coverage to 100 % of the files listed here, but for the branches that exceptions.tsv argues for.
 
     check.py --list            the list and the exceptions against the sources: files and lines are there, each with an argument
-    check.py COVERAGE.json     measure.py's figures too: a branch that was not taken is an exception, and an exception was not taken
+    check.py COVERAGE.json [PROGRAM]
+                               measure.py's figures too, of all files or of one program's: a branch that was not taken is an
+                               exception, and an exception was not taken
 
 An exception is a file, the text of its line (numbers move) and an argument why no operands can take the branch. It stands for
 all branches of that line that were not taken.
@@ -58,13 +60,15 @@ def branches_of(file, measured):
 
 
 def main():
-    if len(sys.argv) != 2:
+    if len(sys.argv) not in (2, 3):
         sys.exit(__doc__)
     faults, tried = list(faults_of_list()), len(FILES) + len(exceptions())
     if sys.argv[1] != '--list':
         measured = json.loads(pathlib.Path(sys.argv[1]).read_text())
         argued = {(file, text) for file, text, _ in exceptions()}
         for file in FILES:
+            if len(sys.argv) == 3 and pathlib.Path(GROUP_OF[file].program).stem != sys.argv[2]:
+                continue
             if file not in measured:
                 faults.append(f'{file}: not measured')
                 continue

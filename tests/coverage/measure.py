@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Branch coverage of what decides, by the programs of checks that judge its mutants (tests/mutation/groups.py).
 
-    measure.py SCRATCH [--cxx g++] [--gcov gcov]
+    measure.py SCRATCH [--only PROGRAM] [--cxx g++] [--gcov gcov]
 
 Each program is compiled with nothing optimised away, and run; gcov says which branches of the group's files it took. Writes
 SCRATCH/coverage.json, which check.py reads. A branch of a template is taken if one of its instances takes it.
@@ -45,11 +45,14 @@ def add(taken, place, files, gcov):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument('scratch', type=pathlib.Path)
+    parser.add_argument('--only', help='the group of this program, without .cpp')
     parser.add_argument('--cxx', default='g++')
     parser.add_argument('--gcov', default='gcov')
     o = parser.parse_args()
     taken = {}
     for group in groups.GROUPS:
+        if o.only not in (None, pathlib.Path(group.program).stem):
+            continue
         place = o.scratch.resolve() / pathlib.Path(group.program).stem
         place.mkdir(parents=True)
         objects = []

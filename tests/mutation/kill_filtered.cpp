@@ -51,8 +51,11 @@ struct FourPoints {
   Point3 a, b, c;
   X x;
   bool move_to_grid(int bits) {
-    if constexpr (std::is_same_v<X, Direction>) return tribunal::move_to_grid({&a, &b, &c}, &x, bits);
-    if constexpr (std::is_same_v<X, Point3>) return tribunal::move_to_grid({&a, &b, &c, &x}, nullptr, bits);
+    if constexpr (std::is_same_v<X, Direction>) {
+      return tribunal::move_to_grid({&a, &b, &c}, &x, bits);
+    } else {
+      return tribunal::move_to_grid({&a, &b, &c, &x}, nullptr, bits);
+    }
   }
 };
 

@@ -303,6 +303,9 @@ void vectors() {
 }  // namespace
 
 int main() {
+  for (int halves = -24; halves <= 24; ++halves) {
+    require(detail::is_odd(halves) == (halves % 2 == 0 && halves / 2 % 2 != 0), "an odd number of whole crossings");
+  }
   vectors();
   passages();
   finiteness_and_rings();

@@ -1,116 +1,155 @@
 #!/usr/bin/env python3
-"""Mutation run over the predicate headers: changes one token at a time and asks whether kill.cpp notices.
+"""Mutation run over what decides: changes one token at a time and asks whether a program of checks notices.
 
-    run.py [--every K] [--first I] [--jobs N] [--cxx g++] [HEADER ...]
+    run.py [--every K] [--first I] [--quick] [--jobs N] [--cxx g++] [FILE ...]
 
-Each mutant is a copy of one header with one token changed; kill.cpp is compiled against it and run. A mutant that does
-not compile is invalid and not counted; one that fails or exceeds the time limit is killed. A survivor must be listed in
-equivalents.tsv (header, mutated line, argument), or the run fails. --every K takes every K-th mutant, from the I-th on.
+Files are judged in groups (groups.py), each by one program kill_*.cpp, which includes all that it tests. A mutant that
+does not compile is invalid and not counted; one that fails or exceeds the time limit is killed. A survivor must be listed
+in equivalents.tsv (file, mutated line, argument), or the run fails. --every K takes every K-th mutant, from the I-th on.
+
+Most mutants share one program (schemata.py), which is told at its start which of them it is; those that cannot, and those
+that survive there, are compiled by themselves.
 """
 import argparse
+import collections
+import os
 import pathlib
 import re
 import subprocess
 import sys
 import tempfile
+import threading
 from concurrent.futures import ThreadPoolExecutor
+
+import groups
+import schemata
+from groups import GROUPS, GROUP_OF
+from mutants import mutants_of
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
-HEADERS = ['core/sign.h', 'core/vec3.h', 'core/signed_volume.h', 'core/kernel.h', 'core/coplanar.h',
-           'core/segura_feito.h', 'exact/classes/chirotope.h']
-TIME_LIMIT = 30  # seconds; the unchanged program takes about two
-
-# What replaces what. clang-format puts spaces around binary operators and none around template brackets.
-OPERATORS = [(' < ', ' <= '), (' > ', ' >= '), (' <= ', ' < '), (' >= ', ' > '), (' == ', ' != '), (' != ', ' == '),
-             (' + ', ' - '), (' - ', ' + '), (' * ', ' + '), (' && ', ' || '), (' || ', ' && '), (' += ', ' = '),
-             (' |= ', ' &= '), (' |= ', ' = '), ('++', '--'), ('--', '++')]
-WORDS = [('x', 'y'), ('y', 'z'), ('z', 'x'), ('u', 'v'), ('v', 'u'), ('a', 'b'), ('b', 'c'), ('c', 'a'), ('p', 'q'),
-         ('q', 'p'), ('i', 'j'), ('j', 'k'), ('k', 'i'), ('f', 'g'), ('g', 'f'), ('s', 't'), ('lo', 'hi'), ('hi', 'lo'),
-         ('num', 'den'), ('den', 'num'), ('positive', 'negative'), ('negative', 'positive'), ('zero', 'positive'),
-         ('true', 'false'), ('false', 'true'), ('first', 'second'), ('second', 'first'), ('edge', 'vertex'),
-         ('vertex', 'interior'), ('interior', 'edge'), ('source', 'target'), ('target', 'source'),
-         ('source_side', 'target_side'), ('target_side', 'source_side'), ('near_end', 'far_end'),
-         ('far_end', 'near_end'), ('source_of_ab', 'target_of_ab'), ('a_of_probe', 'b_of_probe'),
-         ('between', 'source')]
-STATEMENTS = [(r'return miss\(\);', 'return hit_at(Contact::coplanar);'),
-              (r'\bif \(.*\) return [^;]*;', ';'), (r'\bcontinue;', ';'), (r'(?<=[(,?:=] )-|(?<=\()-|(?<=return )-', ''),
-              (r'!(?=[\w(])', '')]
+TIME_LIMIT = 120  # seconds; the unchanged programs take about two, and other things may run beside them
+FEWEST_TOGETHER = 6  # mutants of a file; fewer are sooner compiled one by one
+VERDICTS = ('killed', 'argued', 'survived', 'invalid')
 
 
-def code_lines(text):
-    """Line numbers and lines of code: no comments, no preprocessor, no declarations that only the compiler reads."""
-    in_concept = False
-    for number, line in enumerate(text.split('\n')):
-        bare = re.sub(r' /\*.*?\*/', '', line.split('//')[0])
-        in_concept |= 'concept ' in bare
-        skip = in_concept or bare.lstrip().startswith(('#', 'template', 'using', 'static_assert', 'namespace', '*'))
-        if in_concept and bare.startswith('};'):
-            in_concept = False
-        if not skip and bare.strip():
-            yield number, bare.rstrip()
+class Judge:
+    """Builds a group's program against mutated copies of its files, and runs it. What does not depend on the copy, library
+    headers among it, is compiled once."""
 
-
-def variants(line):
-    """Every line that differs from this one by one token."""
-    for old, new in OPERATORS:
-        for m in re.finditer(re.escape(old), line):
-            yield line[:m.start()] + new + line[m.end():]
-    for old, new in WORDS:
-        for m in re.finditer(r'\b%s\b' % old, line):
-            yield line[:m.start()] + new + line[m.end():]
-    for m in re.finditer(r'(?<![\w.:])\d+(?![\w.])', line):
-        for n in {0: [1], 1: [0, 2]}.get(int(m.group()), [int(m.group()) - 1, int(m.group()) + 1]):
-            yield line[:m.start()] + str(n) + line[m.end():]
-    for pattern, new in STATEMENTS:
-        for m in re.finditer(pattern, line):
-            yield line[:m.start()] + new + line[m.end():]
-
-
-def mutants(header):
-    text = (ROOT / header).read_text()
-    lines = text.split('\n')
-    for number, line in code_lines(text):
-        for changed in dict.fromkeys(variants(line)):
-            yield header, number + 1, line.strip(), changed.strip(), '\n'.join(
-                lines[:number] + [changed] + lines[number + 1:])
-
-
-class Compiler:
-    """Compiles kill.cpp against a mutated header, its library headers compiled once."""
-
-    def __init__(self, cxx, scratch):
-        self.scratch = scratch
+    def __init__(self, group, cxx, scratch):
+        self.group, self.scratch, self.objects, self.lock = group, scratch, {}, threading.Lock()
+        scratch.mkdir()
         self.command = [cxx, '-std=c++20', '-O1', '-ffp-contract=off', '-w']
-        sources = [HERE / 'kill.cpp', ROOT / 'core/query.h', ROOT / 'core/answer.h'] + [ROOT / h for h in HEADERS]
-        libraries = {m for s in sources for m in re.findall(r'#include <[^>]*>', s.read_text())}
-        (scratch / 'libraries.h').write_text('#pragma once\n' + '\n'.join(sorted(libraries)) + '\n')
+        self.units = groups.units_of(group, ROOT, scratch)
+        self.reach = {unit: groups.reached_from(unit, ROOT) for unit in self.units}
+        (scratch / 'libraries.h').write_text('#pragma once\n' + '\n'.join(self.libraries()) + '\n')
         subprocess.run(self.command + ['-x', 'c++-header', str(scratch / 'libraries.h'), '-o',
                                        str(scratch / 'libraries.h.gch')], check=True)
 
-    def verdict(self, name, header, text):
+    def libraries(self):
+        """The headers of libraries that the program includes, through whatever files of ours."""
+        program = self.units[0]
+        texts = [(ROOT / f).read_text() for f in self.reach[program]]
+        # Highway's headers are read once for each instruction set, and differ.
+        return sorted({name for text in texts for name in re.findall(r'^#include <(?!hwy/)[^>]*>', text, re.M)})
+
+    def compiled(self, unit, to, place=None):
+        """The compiler's complaints."""
+        source = place / unit if place and (place / unit).exists() else ROOT / unit
+        overlay = ['-I', str(place)] if place else []
+        built = subprocess.run(self.command + ['-include', str(self.scratch / 'libraries.h'), *overlay, '-I', str(ROOT),
+                                               '-c', str(source), '-o', str(to)],
+                               stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, errors='replace')
+        return built.stderr if built.returncode else ''
+
+    def object_of(self, unit):
+        with self.lock:
+            if unit not in self.objects:
+                to = self.scratch / f'unit{len(self.objects)}.o'
+                complaints = self.compiled(unit, to)
+                if complaints:
+                    sys.exit(f'{unit} does not compile:\n{complaints}')
+                self.objects[unit] = to
+            return self.objects[unit]
+
+    def build(self, name, file, text):
+        """The program's path, or the compiler's complaints."""
         place = self.scratch / name
-        (place / header).parent.mkdir(parents=True)
-        (place / header).write_text(text)
+        (place / file).parent.mkdir(parents=True)
+        (place / file).write_text(text)
+        objects = []
+        for n, unit in enumerate(self.units):
+            if file not in self.reach[unit]:
+                objects.append(self.object_of(unit))
+                continue
+            objects.append(place / f'{n}.o')
+            complaints = self.compiled(unit, objects[-1], place)
+            if complaints:
+                return None, complaints
         program = place / 'kill'
-        built = subprocess.run(self.command + ['-include', str(self.scratch / 'libraries.h'), '-I', str(place), '-I',
-                                               str(ROOT), str(HERE / 'kill.cpp'), '-o', str(program)],
-                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        if built.returncode != 0:
-            return 'invalid'
+        linked = subprocess.run(self.command + [str(o) for o in objects] + ['-o', str(program), *self.group.libraries],
+                                stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, errors='replace')
+        for o in objects:
+            if o.parent == place:
+                o.unlink()
+        return (program, '') if linked.returncode == 0 else (None, linked.stderr)
+
+    def survives(self, program, chosen=0):
         try:
-            run = subprocess.run([str(program), str(ROOT / 'data/classes163.tsv'), str(ROOT / 'data/ray_classes.tsv')], timeout=TIME_LIMIT,
-                                 stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            run = subprocess.run([str(program), *(str(ROOT / a) for a in self.group.arguments)], timeout=TIME_LIMIT,
+                                 stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                                 env=dict(os.environ, MUTANT=str(chosen)))
         except subprocess.TimeoutExpired:
-            return 'killed'
-        finally:
-            program.unlink()
-        return 'survived' if run.returncode == 0 else 'killed'
+            return False
+        return run.returncode == 0
+
+    def alone(self, name, mutant):
+        program, _ = self.build(name, mutant.file, mutant.text())
+        if program is None:
+            return 'invalid'
+        survived = self.survives(program)
+        program.unlink()
+        return 'survived' if survived else 'killed'
+
+    def require_right(self):
+        program, complaints = self.build('unchanged', self.group.files[0], (ROOT / self.group.files[0]).read_text())
+        if program is None or not self.survives(program):
+            sys.exit(f'{self.group.program} kills the unchanged files\n{complaints}')
+
+    def together(self, name, file, mutants):
+        """The one program of as many of them as fit, and which these are; invalid ones are told apart."""
+        fit, invalid = schemata.fitting(mutants), set()
+        while fit:
+            text, owners = schemata.merged(fit)
+            program, complaints = self.build(f'{name}-{len(fit)}', file, text)
+            if program is not None:
+                return program, fit, invalid
+            blamed, hopeless = schemata.blamed(complaints, file, owners)
+            invalid |= hopeless
+            fit = [m for m in fit if m not in blamed] if blamed else []
+        return None, [], invalid
+
+    def verdicts(self, file, mutants, pool):
+        """mutant -> verdict."""
+        found = {}
+        if len(mutants) >= FEWEST_TOGETHER:
+            program, fit, invalid = self.together(file.replace('/', '-'), file, mutants)
+            found.update((m, 'invalid') for m in invalid)
+            if program is not None:
+                if not self.survives(program):
+                    sys.exit(f'{self.group.program} kills the unchanged {file} among its mutants')
+                survivors = pool.map(lambda m: self.survives(program, schemata.number_of(m)), fit)
+                found.update((m, 'killed') for m, s in zip(fit, survivors) if not s)
+        rest = [m for m in mutants if m not in found]
+        alone = pool.map(lambda n: self.alone(f'{file.replace("/", "-")}@{n}', rest[n]), range(len(rest)))
+        found.update(zip(rest, alone))
+        return found
 
 
 def argued():
     rows = (line.split('\t') for line in (HERE / 'equivalents.tsv').read_text().splitlines()[1:])
-    return {(header, mutant): why for header, mutant, why in rows}
+    return {(file, mutant): why for file, mutant, why in rows}
 
 
 def main():
@@ -119,33 +158,43 @@ def main():
     parser.add_argument('--first', type=int, default=0)
     parser.add_argument('--jobs', type=int, default=1)
     parser.add_argument('--cxx', default='g++')
-    parser.add_argument('headers', nargs='*', default=HEADERS)
+    parser.add_argument('--quick', action='store_true', help='leave out what takes long to compile')
+    parser.add_argument('files', nargs='*', default=list(GROUP_OF))
     o = parser.parse_args()
-    chosen = [m for h in o.headers for m in mutants(h)][o.first::o.every]
-    known, unargued = argued(), 0
-    counts = {h: {'killed': 0, 'survived': 0, 'argued': 0, 'invalid': 0} for h in o.headers}
+    if o.quick:
+        o.files = [f for f in o.files if not GROUP_OF[f].slow]
+    known = argued()
+    chosen = [m for f in o.files for m in mutants_of(ROOT, f)][o.first::o.every]
+    by_file = collections.defaultdict(list)
+    for m in chosen:
+        by_file[m.file].append(m)
+    counts = {f: collections.Counter() for f in by_file}
+    print(f'{"file":40} ' + ' '.join(f'{v:>8}' for v in VERDICTS), flush=True)
     with tempfile.TemporaryDirectory() as scratch, ThreadPoolExecutor(o.jobs) as pool:
-        compiler = Compiler(o.cxx, pathlib.Path(scratch))
-        unchanged = compiler.verdict('unchanged', HEADERS[0], (ROOT / HEADERS[0]).read_text())
-        if unchanged != 'survived':
-            sys.exit('kill.cpp kills the unchanged headers')
-        verdicts = pool.map(lambda n: compiler.verdict(str(n), chosen[n][0], chosen[n][4]), range(len(chosen)))
-        for (header, number, line, changed, _), verdict in zip(chosen, verdicts):
-            if verdict == 'survived' and (header, changed) in known:
-                verdict = 'argued'
-            counts[header][verdict] += 1
-            if verdict == 'survived':
-                unargued += 1
-                print(f'{header}:{number}: survived\n    {line}\n    {changed}', flush=True)
-    total = {v: sum(c[v] for c in counts.values()) for v in ('killed', 'survived', 'argued', 'invalid')}
-    print(f'{"header":32} {"killed":>7} {"argued":>7} {"survived":>9} {"invalid":>8}')
-    for name, c in list(counts.items()) + [('all', total)]:
-        print(f'{name:32} {c["killed"]:7} {c["argued"]:7} {c["survived"]:9} {c["invalid"]:8}')
+        for group in GROUPS:
+            files = [f for f in group.files if f in by_file]
+            if not files:
+                continue
+            judge = Judge(group, o.cxx, pathlib.Path(scratch) / pathlib.Path(group.program).stem)
+            judge.require_right()
+            for file in files:
+                verdicts = judge.verdicts(file, by_file[file], pool)
+                for m in by_file[file]:
+                    verdict = verdicts[m]
+                    if verdict == 'survived' and (file, m.changed) in known:
+                        verdict = 'argued'
+                    counts[file][verdict] += 1
+                    if verdict == 'survived':
+                        print(f'{file}:{m.number}: survived\n    {m.line}\n    {m.changed}', flush=True)
+                print(f'{file:40} ' + ' '.join(f'{counts[file][v]:8}' for v in VERDICTS), flush=True)
+    total = sum(counts.values(), collections.Counter())
     judged = total['killed'] + total['survived'] + total['argued']
     if total['killed'] == 0:
         sys.exit('no mutant was killed')
-    print(f'score {total["killed"]}/{judged} killed, {total["argued"]} argued equivalent, {total["survived"]} open')
-    sys.exit(1 if unargued else 0)
+    print(f'score {total["killed"]}/{judged} killed, {total["argued"]} argued equivalent, {total["survived"]} open, '
+          f'{total["invalid"]} invalid')
+    print(f'tried {judged}, broke {total["survived"]}: mutants, and those that survive unargued')
+    sys.exit(1 if total['survived'] else 0)
 
 
 if __name__ == '__main__':

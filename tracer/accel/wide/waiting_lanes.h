@@ -16,7 +16,7 @@ inline constexpr WaitingTag waiting_tag;
 /// the least key names the lane of the least entry and, without those last bits, is a lower bound of that entry.
 template <class D>
 HWY_INLINE hn::Vec<D> keys(D d, const float* entry, std::size_t first, std::uint32_t lane_bits) {
-  const auto bits = hn::LoadU(d, reinterpret_cast<const std::uint32_t*>(entry));
+  const auto bits = hn::BitCast(d, hn::LoadU(hn::RebindToFloat<D>(), entry));
   return hn::Or(hn::AndNot(hn::Set(d, lane_bits), bits), hn::Iota(d, static_cast<std::uint32_t>(first)));
 }
 
@@ -77,11 +77,19 @@ class WaitingBoxes {
   static constexpr std::size_t capacity = 48;  ///< walks seldom need more than 16
   static constexpr std::size_t slack = 16;     ///< whole vectors are loaded and stored
 
+  using Key = hn::Vec<KeyTag>;
+
+  static HWY_INLINE Key load(const float* from) { return hn::BitCast(key_tag, hn::LoadU(box_tag, from)); }
+  static HWY_INLINE Key load(const NodeRef* from) {
+    return hn::LoadU(key_tag, reinterpret_cast<const std::uint32_t*>(from));  // all that a NodeRef has
+  }
+  static HWY_INLINE void put(Key keys, float* to) { hn::StoreU(hn::BitCast(box_tag, keys), box_tag, to); }
+  static HWY_INLINE void put(Key keys, std::uint32_t* to) { hn::StoreU(keys, key_tag, to); }
+
   /// Stores the numbers of the selected lanes contiguously.
   template <class From, class To>
   static HWY_INLINE void store(const From* from, hn::Mask<KeyTag> lanes, To* to) {
-    const auto all = hn::LoadU(key_tag, reinterpret_cast<const std::uint32_t*>(from));
-    hn::StoreU(hn::Compress(all, lanes), key_tag, reinterpret_cast<std::uint32_t*>(to));
+    put(hn::Compress(load(from), lanes), to);
   }
 
   std::size_t size_;
