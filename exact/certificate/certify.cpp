@@ -201,7 +201,7 @@ void log_own_cases(ChainedLog& log, const CertifyPlan& plan) {
   OwnCounts<Spool> all;
   const auto work = [&](const Case& c, CasePlace place, OwnCounts<std::string>& block) {
     block.gives_numbers = gives_numbers(method);
-    const Truth truth = is_finite(c.query) ? exact_truth(c.query) : Truth{};
+    const Truth truth = is_finite(c.query) ? truth_of_own(c.query, place.number) : Truth{};
     const bool asked = takes(method, c.format) || !is_finite(c.query);
     OwnAnswer answer{c, truth, asked ? method.ask(c.query) : refusal(Status::unsupported)};
     answer.number = place.number;
@@ -233,7 +233,7 @@ void require_sound(const Rereadable& cases, Operands operands, unsigned threads)
   const auto work = [&](const Case& c, CasePlace place, Nothing&) {
     require_operands(c, operands, {cases.path(), place.line});
     if (!is_finite(c.query)) return;
-    const std::string error = mistaken_claim(c, exact_truth(c.query));
+    const std::string error = mistaken_claim(c, truth_of_own(c.query, place.number));
     if (!error.empty()) throw bad_input(cases.path(), place.line, shown(c.id) + ": " + error);
   };
   for_each_case<Nothing>(cases.reader(), cases.path(), {threads, missing}, work, [](const Nothing&) {});

@@ -11,6 +11,7 @@
 #include "exact/record/answer_line.h"
 #include "exact/record/counterexample.h"
 #include "exact/record/id_index.h"
+#include "exact/trial/formulations.h"
 
 namespace tribunal {
 namespace {
@@ -46,10 +47,10 @@ void add(Judgement& all, const JudgedBlock& block) {
   all.any_bounds |= block.any_bounds;
 }
 
-/// The exact answer; fails where the case claims another.
-Truth truth_of(const Case& c, const std::string& path, std::size_t line) {
+/// The exact answer to case `number`; fails where the case claims another.
+Truth truth_of(const Case& c, std::uint64_t number, const std::string& path, std::size_t line) {
   if (!is_finite(c.query)) return {};
-  const Truth truth = exact_truth(c.query);
+  const Truth truth = truth_of_own(c.query, number);
   const std::string error = mistaken_claim(c, truth);
   if (!error.empty()) throw bad_input(path, line, shown(c.id) + ": " + error);
   return truth;
@@ -188,7 +189,7 @@ class SideBySide {
       block.ids.push_back(fingerprint_of(c.id));
       if (pair.cases.too_long) return;  // a later line is wrong, and that is all that matters
       for (std::size_t m = 0; m < names_.size(); ++m) read(answers[at * names_.size() + m], c.id, names_[m], given[m]);
-      const Truth truth = truth_of(c, cases_.path(), number);
+      const Truth truth = truth_of(c, pair.first + at, cases_.path(), number);
       judge(block, all_, c, truth, pair.first + at, [&](std::size_t m) {
         return std::pair{given[m].answer, given[m].numbers};
       });
@@ -409,7 +410,7 @@ class ByIndex {
         if (index_.find(fingerprint_of(c.id)) != number) {
           throw bad_input(cases_.path(), line_number, "was changed while it was read");
         }
-        const Truth truth = truth_of(c, cases_.path(), line_number);
+        const Truth truth = truth_of(c, number, cases_.path(), line_number);
         judge(block, all, c, truth, number, [&](std::size_t m) { return sheets_[m].at(number); });
         ++number;
       });

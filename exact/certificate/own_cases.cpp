@@ -4,6 +4,7 @@
 #include "exact/record/counterexample.h"
 #include "exact/record/errors_json.h"
 #include "exact/trial/exact_hit.h"
+#include "exact/trial/formulations.h"
 #include "exact/trial/judge.h"
 #include "exact/trial/severity.h"
 
@@ -56,7 +57,7 @@ void log_part(ChainedLog& log, const Method& method, Operands operands, Format f
                        {"fmt", name_of(format)},
                        {"axis", "(none)"},
                        {"population", "the cases of your file, no more"},
-                       {"judged_by", oracles_of(operands)},
+                       {"judged_by", judges_of_own(operands)},
                        {"aims_at_classes", false},
                        {"taken", true},
                        {"cases", n}};

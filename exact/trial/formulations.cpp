@@ -2,6 +2,7 @@
 
 #include "exact/classes/class_table.h"
 #include "exact/trial/formulations_on.h"
+#include "exact/trial/quick_truth.h"
 
 namespace tribunal {
 
@@ -32,6 +33,16 @@ Truth audited_by_oracles(const Trial& trial, TruthBy formulations) {
                   "the oracles say " + class_name(truth.class_id));
   }
   return truth;
+}
+
+Truth truth_of_own(const Query& query, std::uint64_t number) {
+  if (query.operands() == Operands::polygons || query.bounds) return exact_truth(query);
+  return is_audited(0, 0, number) ? audited_by_oracles({.query = query}, truth_by_formulations)
+                                  : truth_by_formulations(query);
+}
+
+const char* judges_of_own(Operands operands) {
+  return operands == Operands::triangles ? judges_of_triangles : oracles_of(operands);
 }
 
 }  // namespace tribunal

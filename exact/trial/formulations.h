@@ -24,4 +24,11 @@ Truth formulated_truth(const Trial& trial, std::uint64_t k, bool needs_facing, T
 /// ends with Exit::oracles_contradict.
 Truth audited_by_oracles(const Trial& trial, TruthBy formulations);
 
+/// The exact answer to case `number` of a file from elsewhere, of finite operands: of a triangle by the formulations,
+/// and of one case in 256, drawn by a hash, by all of exact_truth too; else by exact_truth.
+Truth truth_of_own(const Query& query, std::uint64_t number);
+
+/// Who they are, for reports.
+const char* judges_of_own(Operands operands);
+
 }  // namespace tribunal

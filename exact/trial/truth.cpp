@@ -59,15 +59,17 @@ Truth truth_of(const Trial& trial, std::uint64_t k) {
   return truth;
 }
 
+const char* const judges_of_triangles =
+    "class table, Segura-Feito and Caratheodory on integers of fixed width, or GMP's; 1 case in 256, drawn by a hash, "
+    "by "
+    "class table, rational kernel, Caratheodory, CGAL where defined";
+
 const char* oracle_of(const Family& family) {
   if (family.operands == Operands::triangles) {
-    return family.constructs
-               ? "construction, 1 case in 257 also by class table, Segura-Feito and Caratheodory on "
-                 "integers of fixed width, or GMP's; 1 in 256, drawn by a hash, by class table, rational "
-                 "kernel, Caratheodory, CGAL where defined"
-               : "class table, Segura-Feito and Caratheodory on integers of fixed width, or GMP's; 1 case "
-                 "in 256, drawn by a hash, by class table, rational kernel, Caratheodory, CGAL where "
-                 "defined";
+    return family.constructs ? "construction, 1 case in 257 also by class table, Segura-Feito and Caratheodory on "
+                               "integers of fixed width, or GMP's; 1 in 256, drawn by a hash, by class table, rational "
+                               "kernel, Caratheodory, CGAL where defined"
+                             : judges_of_triangles;
   }
   return family.constructs ? "construction, rational kernel, point in rings twice, covering surface, Caratheodory"
                            : oracles_of(family.operands);

@@ -50,6 +50,9 @@ Truth truth_of(const Trial& trial, std::uint64_t k);
 const char* oracle_of(const Family& family);
 const char* oracles_of(Operands operands);
 
+/// Those that judge triangles of which no class is known by construction.
+extern const char* const judges_of_triangles;
+
 /// Those that judge the cases of methods that promise to be exact, but for the share that all oracles judge.
 const char* formulations_in_words();
 
