@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "exact/base/failure.h"
@@ -15,6 +16,7 @@
 #include "exact/methods/methods.h"
 #include "exact/trial/formulations_on.h"
 #include "exact/trial/fuzz.h"
+#include "exact/trial/quick_truth.h"
 
 namespace tribunal {
 namespace {
@@ -227,6 +229,24 @@ TEST(Formulations, TheDrawnShareFindsAFaultThatTheyShare) {
   } catch (const Failure& f) {
     EXPECT_NE(std::string(f.what()).find("on integers the class is"), std::string::npos) << f.what();
   }
+}
+
+TEST(Formulations, CasesFromElsewhereGetTheAnswerOfAllOracles) {
+  std::uint64_t number = 0, audited = 0;
+  for (const Stream& stream : streams_of(Operands::triangles)) {
+    for (std::uint64_t k = 0; k < 40; ++k, ++number) {
+      const Query query = stream.family->make(stream.format, 5, k).query;
+      const Truth all = exact_truth(query), own = truth_of_own(query, number);
+      const auto parts = [](const Truth& t) {
+        return std::tuple(t.class_id, t.contact, t.of_ray, t.facing, t.at, t.bounded, t.at_origin);
+      };
+      EXPECT_EQ(parts(own), parts(all)) << name_of(stream) << ' ' << k;
+      audited += is_audited(0, 0, number);
+    }
+  }
+  EXPECT_GT(audited, 0U);
+  const Query polygon = streams_of(Operands::polygons).front().family->make(Format::binary64, 5, 1).query;
+  EXPECT_EQ(truth_of_own(polygon, 1).contact, exact_truth(polygon).contact);
 }
 
 }  // namespace
