@@ -23,7 +23,7 @@ Check row() {
 
 Check errors_of_rows() {
   return object(
-      {if_there("one_case_in", count()),
+      {if_there("one_case_in", count(1'000'000)),
        needed("counts", list(errors({needed("method", name()), needed("family", text()), needed("fmt", format())})))});
 }
 

@@ -59,7 +59,7 @@ Check method(std::string_view key) {
                  if_there("certified", truth()), if_there("yardstick", truth())});
 }
 
-Check environment() { return named(either({text(), truth(), count()}, "a text")); }
+Check environment() { return named(text()); }
 
 Check command() { return null_or(list(text())); }
 
