@@ -18,6 +18,7 @@ import subprocess
 import sys
 
 COORDINATES = {"seg", "ray", "tri", "rings", "base", "unit"}
+ON_AXES = {"value", "values", "easiest", "stress"}  # of any sign too
 # Totals and measurements that nothing else in a record bounds; of a page they may be any that are no less than 0.
 UNBOUNDED = {"seed", "cases", "rays", "faces", "size", "speed_pairs", "batch", "stretches", "repetitions", "bytes", "max",
              "upper_quartile", "rays_per_second", "n", "asked", "broken", "value", "values", "easiest", "face", "most",
@@ -229,7 +230,7 @@ class Page:
                 continue
             if value != value or value in (float("inf"), float("-inf")):
                 return f"{value} at {'.'.join(path)}"
-            if value < 0 and path not in self.negative and not free:
+            if value < 0 and path not in self.negative and not free and ON_AXES.isdisjoint(path):
                 return f"{value} at {'.'.join(path)}"
             if value > self.most and not unbounded:
                 return f"{value} at {'.'.join(path)}, where {self.most} is the most"
