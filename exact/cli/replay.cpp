@@ -42,9 +42,12 @@ const Method& method_of(const Case& c, const std::string& given, const std::stri
   const std::string name = !given.empty() ? given : c.finding.is_null() ? "" : finding.text_or("method", "");
   if (name.empty()) throw Failure(Exit::usage, file + ": " + shown(c.id) + " names no method, expected --method");
   const Method* method = find_method(name);
-  if (method == nullptr)
-    throw Failure(Exit::usage, file + ": " + shown(c.id) + " names an unknown method, " + shown(name));
-  return *method;
+  if (method != nullptr) return *method;
+  if (!given.empty())
+    throw Failure(Exit::usage, "unknown method " + given + ", expected one that `tribunal methods` lists");
+  throw bad_input(file, 0,
+                  shown(c.id) + " names an unknown method, " + shown(name) +
+                      ", expected one that `tribunal methods` lists, or its library as --plugin");
 }
 
 int run_shrink(const std::string& file, const std::string& method, const std::string& out) {

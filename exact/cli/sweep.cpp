@@ -13,6 +13,7 @@
 #include "exact/cases/case_io.h"
 #include "exact/cli/command.h"
 #include "exact/compilers/compare.h"
+#include "exact/report/shapes.h"
 #include "exact/sweep/map.h"
 #include "exact/sweep/record.h"
 
@@ -193,6 +194,16 @@ int run_compilers(const Options& o) {
   return 0;
 }
 
+/// What `report` requires of it too: the script would draw figures that cannot be.
+void require_record(const std::string& directory, const std::string& file) {
+  const std::string path = directory + "/" + file;
+  const Json record = parse_json(read_file(path), {path});
+  const auto require = file == "sweep.json"       ? require_sweep_record
+                       : file == "compilers.json" ? require_compilers_record
+                                                  : require_map_record;
+  require({record, {path}});
+}
+
 /// Every record that the directory has.
 int redraw(const std::string& directory) {
   std::vector<std::string> records;
@@ -205,6 +216,7 @@ int redraw(const std::string& directory) {
     for (const ProbeKind probe : probe_kinds) add(file_of({&c, probe}));
   }
   if (records.empty()) throw bad_input(directory, 0, "no record, expected sweep.json, compilers.json or map-NAME.json");
+  for (const std::string& file : records) require_record(directory, file);
   for (const std::string& file : records) {
     draw_figures(directory, embedded_sweep_script, file, figures_of(file));
     print("drawn again from " + directory + "/" + file + "\n");

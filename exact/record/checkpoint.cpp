@@ -14,6 +14,7 @@
 #include "exact/record/errors_json.h"
 #include "exact/record/sample_row.h"
 #include "exact/trial/judge.h"
+#include "exact/trial/quick_truth.h"
 #include "exact/trial/severity.h"
 
 namespace tribunal {
@@ -87,6 +88,7 @@ class CheckpointReader {
     found_.resize(report_.errors.size());
     for (std::size_t i = 1; i + 1 < log.size(); ++i) read(log[i]);
     require_whole(log[log.size() - 1]);
+    require_audited(log[log.size() - 1]);
   }
 
   FuzzReport report() && { return std::move(report_); }
@@ -115,11 +117,15 @@ class CheckpointReader {
     }
   }
 
+  /// How many of the first so many cases are of the stream: they are dealt in turn.
+  std::uint64_t dealt_to(std::size_t stream, std::uint64_t cases) const {
+    const std::uint64_t n = plan_.streams.size();
+    return (cases + n - 1 - stream) / n;
+  }
+
   /// How many cases of the stream a method is asked among those that are done.
   std::uint64_t dealt(std::size_t method, std::size_t stream) const {
-    const std::uint64_t n = plan_.streams.size();
-    if (!takes(plan_.methods[method], plan_.streams[stream].format)) return 0;
-    return (report_.cases + n - 1 - stream) / n;
+    return takes(plan_.methods[method], plan_.streams[stream].format) ? dealt_to(stream, report_.cases) : 0;
   }
 
   void add_row(const Record& record) {
@@ -228,6 +234,23 @@ class CheckpointReader {
           done.fail("the findings of " + whose + " are not those counted");
       }
     }
+  }
+
+  /// Which cases are audited follows from their numbers. Of the first `most_counted` they are counted; of those after
+  /// them none, some or all may be.
+  void require_audited(const Record& done) const {
+    constexpr std::uint64_t most_counted = std::uint64_t{1} << 30;
+    const std::uint64_t counted = std::min(report_.cases, most_counted);
+    std::uint64_t least = 0;
+    if (plan_.operands() == Operands::triangles) {
+      for (std::size_t s = 0; s < plan_.streams.size(); ++s) {
+        least += audited_among(plan_.seed, s, dealt_to(s, counted));
+      }
+    }
+    const std::uint64_t most = plan_.operands() == Operands::triangles ? least + (report_.cases - counted) : 0;
+    if (report_.audited >= least && report_.audited <= most) return;
+    done.fail_at("audited", "expected " + std::to_string(least) + (least == most ? "" : " to " + std::to_string(most)) +
+                                ", as the numbers of the cases say, found " + std::to_string(report_.audited));
   }
 
   const FuzzPlan& plan_;

@@ -8,6 +8,7 @@
 #include "exact/base/record.h"
 #include "exact/record/counterexample.h"
 #include "exact/report/case_view.h"
+#include "exact/report/shapes.h"
 
 namespace tribunal {
 namespace {
@@ -48,6 +49,7 @@ std::vector<std::size_t> worst_and_most_diverse(const std::vector<FoundCase>& fo
 void CaseBook::read(std::size_t run, const std::string& file) {
   for_each_line_in(read_file(file), file, [&](const Json& object, const Where& where) {
     FoundCase found{run, file, where.line, to_case(object, where), {}};
+    if (!found.c.finding.is_null()) require_finding({found.c.finding, where.key("finding")});
     found.rank = rank_of(found.c, where.key("finding"));
     Json short_form = object;
     if (short_form.contains("finding")) short_form.erase("finding");

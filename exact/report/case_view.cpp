@@ -57,10 +57,12 @@ Json truth_json(const Truth& truth) {
           {"words", describe(truth)}};
 }
 
-/// What the finding says, without what stands elsewhere.
+/// What the finding says that its shape knows (shapes.h), without what stands elsewhere.
 void add_finding(Json& view, const Json& finding) {
-  for (const auto& [key, value] : finding.items()) {
-    if (key != "exact" && key != "answers" && key != "made_with") view[key] = value;
+  for (const char* key :
+       {"method", "outcome", "severity", "cause", "naive_right", "in_words", "contact", "contact_told", "side",
+        "side_told", "planar_told", "answered", "expected", "convention", "readings", "fault", "detail"}) {
+    if (finding.contains(key)) view[key] = finding[key];
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include "exact/certificate/rate.h"
 #include "exact/report/gathering.h"
+#include "exact/report/shapes.h"
 #include "exact/report/table.h"
 
 namespace tribunal {
@@ -153,6 +154,7 @@ std::string add_method(Gathering& g, const Record& r) {
 
 void gather_certificate(Run& run, Gathering& g) {
   const Record r = run.all();
+  require_certificate_record(r);
   const std::string method = add_method(g, r), budget = r.text_or("budget", "");
   run.page["methods"] = {method};
   run.page["title"] = method;

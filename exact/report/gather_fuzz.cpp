@@ -6,6 +6,7 @@
 #include "exact/cases/family_table.h"
 #include "exact/certificate/rate.h"
 #include "exact/report/gathering.h"
+#include "exact/report/shapes.h"
 #include "exact/report/table.h"
 
 namespace tribunal {
@@ -156,6 +157,7 @@ void require_within_run(const Record& r, const std::map<std::string, std::uint64
 
 void gather_fuzz(Run& run, Gathering& g) {
   const Record r = run.all();
+  require_fuzz_record(r);
   for (const Record& m : r.items_or_none("methods")) g.add_method(m);
   const std::vector<std::string> methods = method_names(r);
   for (const std::string& name : methods) g.add_method(name);
@@ -197,6 +199,7 @@ void gather_fuzz(Run& run, Gathering& g) {
 
 void gather_relations(Run& run, Gathering& g) {
   const Record r = run.all();
+  require_relations_record(r);
   const std::vector<Record> rows = r.items("relations");
   const std::vector<std::string> methods = names_in(rows, "method");
   run.page["methods"] = methods;

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "exact/report/gathering.h"
+#include "exact/report/shapes.h"
 
 namespace tribunal {
 namespace {
@@ -43,6 +44,7 @@ ReportLine leak_line(std::size_t run, const Record& subject, const Record& trial
 
 void gather_leak(Run& run, Gathering& g) {
   const Record all = run.all();
+  require_leak_record(all);
   const std::string mesh = all.text_or("mesh", "");
   std::vector<std::string> names;
   for (const Record& trial : all.items("trials")) {

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "exact/report/gathering.h"
+#include "exact/report/shapes.h"
 #include "exact/report/table.h"
 
 namespace tribunal {
@@ -123,6 +124,7 @@ Json command_for(const Run& run, const std::string& method, const std::string& a
 
 void gather_render(Run& run, Gathering& g) {
   const Record r = run.all();
+  require_render_record(r);
   const Record difference = r.member("difference");
   const std::string method = difference.text("method"), against = difference.text("against");
   for (const std::string& name : {method, against}) run.page["methods"].push_back(g.add_method(name));

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "exact/report/gathering.h"
+#include "exact/report/shapes.h"
 #include "exact/report/table.h"
 
 namespace tribunal {
@@ -160,6 +161,7 @@ ReportLine map_line(std::size_t run, const Record& panel, const std::string& map
 
 void gather_sweep(Run& run, Gathering& g) {
   const Record all = run.all();
+  require_sweep_record(all);
   const std::vector<std::string> methods = names_in(all.items("methods"), "name");
   run.page["methods"] = methods;
   if (!has_own_mesh(all)) {
@@ -182,6 +184,7 @@ void gather_sweep(Run& run, Gathering& g) {
 
 void gather_compilers(Run& run, Gathering& g) {
   const Record all = run.all();
+  require_compilers_record(all);
   const std::vector<std::string> names = names_in(all.items("rows"), "method");
   for (const std::string& name : names) g.add_method(name);
   run.page["methods"] = names;
@@ -195,6 +198,7 @@ void gather_compilers(Run& run, Gathering& g) {
 
 void gather_map(Run& run, Gathering& g) {
   const Record all = run.all();
+  require_map_record(all);
   const std::string map = all.text("map");
   run.page["title"] = "map " + map;
   std::vector<std::string> methods;

@@ -145,13 +145,6 @@ std::vector<std::string> names_in(const std::vector<Record>& objects, const char
   return names;
 }
 
-void require_part(const Record& row, std::uint64_t part, std::uint64_t whole, const char* what) {
-  if (part > whole) {
-    row.fail(std::string("counts that cannot be: ") + what + ", " + std::to_string(part) + " of " +
-             std::to_string(whole));
-  }
-}
-
 ReportLine line_of(std::size_t run, const std::string& method, const std::string& fmt, const Figures& counts) {
   ReportLine line{.run = run, .method = method, .level = worst_level(counts), .fmt = fmt};
   line.wrong = counts.wrong;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "exact/base/record.h"
+#include "exact/base/shape.h"
 #include "exact/report/case_book.h"
 
 namespace tribunal {
@@ -134,8 +135,7 @@ std::string seed_in(const Record& r);
 /// The texts of the members `key` of the objects, each once, in their order.
 std::vector<std::string> names_in(const std::vector<Record>& objects, const char* key);
 
-/// Fails unless part ≤ whole.
-void require_part(const Record& row, std::uint64_t part, std::uint64_t whole, const char* what);
+using shape::require_part;
 
 /// `tribunal WORDS…`, each word as a shell takes it.
 std::string command_of(const std::vector<std::string>& words);

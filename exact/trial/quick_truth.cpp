@@ -66,12 +66,29 @@ ClassId certified_class(const Query& query) {
   return is_of_ray(query) ? ray_class_of(signs) : class_of(signs);
 }
 
+namespace {
+
+std::uint64_t hash_of_stream(std::uint64_t seed, std::uint64_t stream) {
+  return mixed(mixed(seed + golden) + golden * (stream + 1));
+}
+
+std::uint64_t hash_in_stream(std::uint64_t of_stream, std::uint64_t k) { return mixed(of_stream + golden * (k + 1)); }
+
+}  // namespace
+
 std::uint64_t hash_of_case(std::uint64_t seed, std::uint64_t stream, std::uint64_t k) {
-  return mixed(mixed(mixed(seed + golden) + golden * (stream + 1)) + golden * (k + 1));
+  return hash_in_stream(hash_of_stream(seed, stream), k);
 }
 
 bool is_audited(std::uint64_t seed, std::uint64_t stream, std::uint64_t k) {
   return hash_of_case(seed, stream, k) % audit_period == 0;
+}
+
+std::uint64_t audited_among(std::uint64_t seed, std::uint64_t stream, std::uint64_t n) {
+  const std::uint64_t of_stream = hash_of_stream(seed, stream);
+  std::uint64_t audited = 0;
+  for (std::uint64_t k = 0; k < n; ++k) audited += hash_in_stream(of_stream, k) % audit_period == 0;
+  return audited;
 }
 
 Truth quick_truth(const Trial& trial, ClassBy quick) {

@@ -24,6 +24,9 @@ std::uint64_t hash_of_case(std::uint64_t seed, std::uint64_t stream, std::uint64
 /// preferred, as it would be by a stride.
 bool is_audited(std::uint64_t seed, std::uint64_t stream, std::uint64_t k);
 
+/// How many of the first n cases of a stream are.
+std::uint64_t audited_among(std::uint64_t seed, std::uint64_t stream, std::uint64_t n);
+
 /// By construction where the case knows its class, else by `quick`. `facing` is left unsaid.
 Truth quick_truth(const Trial& trial, ClassBy quick);
 

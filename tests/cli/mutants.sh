@@ -36,19 +36,34 @@ exit $status
 END
 mutants part/checkpoint.jsonl resumed/checkpoint.jsonl --seed 2 --count $count --chained -- bash resume
 
-# What `report`, `replay` and `shrink` read.
+# What `replay` reads.
 expect 1 fuzz --method sf-double --seed 3 --count 20000 --out found
-mkdir page
-cp found/* page/
-mutants found/summary.json page/summary.json --seed 3 --count $count -- "$TRIBUNAL" report page --out page.html
-cp found/* page/
-mutants found/counterexamples.jsonl page/counterexamples.jsonl --seed 4 --count $count -- "$TRIBUNAL" report page --out page.html
 mutants found/counterexamples.jsonl one.jsonl --seed 5 --count $((count / 2)) -- "$TRIBUNAL" replay one.jsonl
-mkdir judged-page
-cp judged/* judged-page/
-mutants judged/certificate.json judged-page/certificate.json --seed 6 --count $count -- "$TRIBUNAL" report judged-page --out page.html
-"$TRIBUNAL" sweep --method sf-float --axis fill --count 40 --out swept >out 2>err || [ $? -eq 1 ] || { cat err >&2; exit 1; }
-mkdir swept-page
-cp swept/*.json swept/*.jsonl swept-page/
-mutants swept/sweep.json swept-page/sweep.json --seed 7 --count $count -- "$TRIBUNAL" report swept-page --out page.html
+
+# What `report` reads, of every kind: the page's JSON is held to that of the sound record. pages DIR FILE SEED: damages
+# the file beside all others of the directory.
+pages() {
+  rm -rf page && cp -r "$1" page
+  mutants "$1/$2" "page/$2" --seed "$3" --count "${4:-$count}" --page -- "$TRIBUNAL" report page --out page.html --json -
+}
+made() { "$TRIBUNAL" "$@" >out 2>err || [ $? -eq 1 ] || { cat err >&2; exit 1; }; }
+pages found summary.json 3
+pages found counterexamples.jsonl 4
+pages judged certificate.json 6
+made sweep --method sf-float --axis fill --count 40 --out swept
+pages swept sweep.json 7
+made sweep --method sf-double,mt-float --map edge --map-size 16 --out mapped
+pages mapped map-edge.json 8 $((3 * count / 5))
+made leak "$SOURCE_DIR/data/meshes/octahedron.off" --method mt-float,sf-filtered --rays 600 --out leaked
+pages leaked summary.json 9 $((3 * count / 5))
+mkdir drawn
+made render "$SOURCE_DIR/data/scenes/elephant.json" --size 48x36 --method mt-float --against sf-filtered -o drawn/e.png
+pages drawn e.diff.json 10 $((3 * count / 5))
+# A chart without its drawings, which take longer than all that is measured here.
+mkdir bare
+echo 'raise SystemExit(65)' >bare/sitecustomize.py
+PYTHONPATH=$PWD/bare "$TRIBUNAL" chart --quick --method mt-double,sf-double --count 163 --repetitions 9 --rays 200 --threads 1 \
+  --scenes "$SOURCE_DIR/data/scenes/dark-box.json" --mesh "$SOURCE_DIR/data/meshes/octahedron.off" --out charted >out 2>err || true
+grep -q '"leaks"' charted/chart.json || { cat err >&2; exit 1; }
+pages charted chart.json 11 $((3 * count / 5))
 [ "$failed" -eq 0 ]

@@ -50,7 +50,8 @@ diff -r found again
 expect 1 replay --plugin planted.so found/counterexamples.jsonl
 head -n 1 found/counterexamples.jsonl >first.jsonl
 expect 0 shrink --plugin planted.so first.jsonl --out shrunk.jsonl && cmp first.jsonl shrunk.jsonl
-expect 2 shrink first.jsonl && says err 'names an unknown method, my-mt'
+expect 3 shrink first.jsonl && says err 'names an unknown method, my-mt, expected one that' && [ "$(wc -l <err)" -eq 1 ]
+expect 2 shrink first.jsonl --method nobody && says err 'unknown method nobody'
 expect 1 certify --plugin planted.so --method my-mt --out certificate && says out 'my-mt: refuted'
 expect 0 chart --plugin mine.so --method my-mt,mt-double --count 600 --repetitions 9 --threads 1 --out charts && says charts/chart.json my-mt
 

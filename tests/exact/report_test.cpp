@@ -177,6 +177,60 @@ TEST_F(ReportFiles, WhatIsNotAsItsCommandWritesItIsOneLineWithTheFile) {
   EXPECT_TRUE(failure().starts_with((root_ / "a/summary.json").string() + ":")) << failure();
 }
 
+/// A map of 2 × 2 pixels, one of them wrong.
+Json map_record() {
+  return {{"map", "edge"},
+          {"size", 2},
+          {"probe", "segment"},
+          {"about", "an edge"},
+          {"base", {{"binary64", {{"seg", {{0, 0, 1}, {0, 0, -1}}}, {"tri", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}}}}},
+          {"unit", {{"binary64", "0x1p-53"}}},
+          {"truth", {{"binary64", {"h.", "hh"}}}},
+          {"panels",
+           {{{"method", "m"},
+             {"fmt", "binary64"},
+             {"counts", {{"right", 3}, {"false hit", 1}}},
+             {"pixels", {"H+", "HH"}}}}}};
+}
+
+TEST_F(ReportFiles, AMapIsAsManyPixelsAsItSays) {
+  write("a/map-edge.json", map_record().dump());
+  EXPECT_EQ(report()["verdicts"][0]["text"], "m: wrong on 1 of 4 (25 %) pixels of the map edge");
+  const std::pair<const char*, Json> faults[] = {
+      {"/size", 3},
+      {"/panels/0/pixels", 7},
+      {"/panels/0/pixels/1", "H"},
+      {"/panels/0/pixels/1", "H!"},
+      {"/panels/0/counts/false hit", 2},
+      {"/panels/0/counts", {{"right", 3}}},
+      {"/panels/0/counts/fault", 1},
+      {"/base/binary64/tri/1", {1, 0}},
+      {"/unit/binary64", 0},
+      {"/truth/binary64", {"h."}},
+  };
+  for (const auto& [place, value] : faults) {
+    Json record = map_record();
+    record[Json::json_pointer(place)] = value;
+    write("a/map-edge.json", record.dump());
+    EXPECT_TRUE(failure().starts_with((root_ / "a/map-edge.json").string() + ": ")) << place;
+  }
+}
+
+TEST_F(ReportFiles, AFindingSaysWhatFindingsSay) {
+  write("a/summary.json", fuzz_record("mine").dump());
+  for (const Json& finding : {Json{{"answers", 3}}, Json{{"answers", {{"m", 2}}}}, Json{{"expected", 5}},
+                              Json{{"exact", "x"}}, Json{{"exact", {{"t", "1/"}}}}, Json{{"severity", "huge"}},
+                              Json{{"origin", {{"seed", -1}}}}, Json{{"made_with", {1}}}}) {
+    write("a/counterexamples.jsonl", Json({{"id", "c"},
+                                           {"seg", {{0, 0, 1}, {0, 0, -1}}},
+                                           {"tri", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}},
+                                           {"finding", finding}})
+                                             .dump() +
+                                         "\n");
+    EXPECT_TRUE(failure().starts_with((root_ / "a/counterexamples.jsonl").string() + ":1: finding")) << finding;
+  }
+}
+
 TEST_F(ReportFiles, FindsResultsInDirectoriesBelowAndCountsThem) {
   write("a/b/summary.json", fuzz_record("mine").dump());
   const Json r = report();
@@ -197,12 +251,13 @@ TEST_F(ReportFiles, FindsResultsInDirectoriesBelowAndCountsThem) {
 
 TEST_F(ReportFiles, HostileNamesStayText) {
   write("a/summary.json", fuzz_record(hostile).dump());
-  write("a/counterexamples.jsonl", Json({{"id", hostile},
-                                         {"seg", {{0, 0, 1}, {0, 0, -1}}},
-                                         {"tri", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}},
-                                         {"finding", {{"method", hostile}, {"case", "mine"}, {"answers", 3}}}})
-                                           .dump() +
-                                       "\n");
+  write("a/counterexamples.jsonl",
+        Json({{"id", hostile},
+              {"seg", {{0, 0, 1}, {0, 0, -1}}},
+              {"tri", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}},
+              {"finding", {{"method", hostile}, {"case", "mine"}, {"answers", {{hostile, 1}}}}}})
+                .dump() +
+            "\n");
   const Json r = report();
   EXPECT_EQ(r["runs"][0]["methods"][0], shown(hostile));
   ASSERT_EQ(r["cases"].size(), 1u);
@@ -327,17 +382,15 @@ TEST_F(ReportFiles, OwnCasesCountBesideASampleAndAreNotAddedToIt) {
 /// Counts at one value of an axis.
 Json swept(const char* axis, int value, std::uint64_t judged, std::uint64_t wrong, const Json& outcomes) {
   return {{"method", "m"},       {"axis", axis},      {"fmt", "binary64"},
-          {"value", value},      {"probe", "ray"},    {"asked", judged},
+          {"value", value},      {"probe", "ray"},    {"asked", judged + 3},
           {"judged", judged},    {"refused", 3},      {"wrong", {{"k", wrong}, {"n", judged}}},
           {"plain", 0},          {"boundary", wrong}, {"extreme", 0},
           {"outcomes", outcomes}};
 }
 
 Json swept_axis(const char* name, const char* operands) {
-  return {{"name", name},
-          {"operands", operands},
-          {"easiest", {{"binary64", 0}}},
-          {"values", {{"binary64", {-10, 0, 10, 20, 30, 40}}}}};
+  return {{"name", name},         {"quantity", "how far"},        {"population", ""},
+          {"operands", operands}, {"easiest", {{"binary64", 0}}}, {"values", {{"binary64", {-10, 0, 10, 20, 30, 40}}}}};
 }
 
 Json threshold(const char* axis, const char* side, int value) {
@@ -354,12 +407,12 @@ Json threshold(const char* axis, const char* side, int value) {
 TEST_F(ReportFiles, ASweepSaysWhereItFailsFirstAndBoundsNothing) {
   Json record = {
       {"seed", 1},
-      {"cases", 50},
+      {"cases", 103},
       {"methods", {{{"name", "m"}}}},
       {"axes", {swept_axis("sliver", "triangles"), swept_axis("fill", "polygons"), swept_axis("afar", "mesh")}},
       {"rows",
-       {swept("sliver", 40, 100, 5, {{"refused", {{"k", 3}}}}), swept("fill", 20, 100, 2, Json::object()),
-        swept("afar", 0, 70, 9, {{"leak", {{"k", 4}}}})}},
+       {swept("sliver", 40, 100, 5, {{"refused", {{"k", 3}, {"n", 103}}}}), swept("fill", 20, 100, 2, Json::object()),
+        swept("afar", 0, 70, 9, {{"leak", {{"k", 4}, {"n", 70}}}})}},
       {"thresholds",
        {threshold("sliver", "up", 40), threshold("fill", "up", 20), threshold("sliver", "down", -10),
         threshold("afar", "up", 0)}}};

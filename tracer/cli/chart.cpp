@@ -14,6 +14,7 @@
 #include "exact/mesh/read_mesh.h"
 #include "exact/mesh/triangulate.h"
 #include "exact/methods/methods.h"
+#include "exact/report/shapes.h"
 #include "tracer/chart/leaks.h"
 #include "tracer/chart/pictures.h"
 #include "tracer/cli/command.h"
@@ -156,7 +157,8 @@ int draw(const std::string& directory, const std::string& also) {
 /// From the record alone; nothing is measured.
 int redraw(const std::string& directory) {
   const std::string file = directory + "/chart.json";
-  parse_json(read_file(file), {file});
+  const Json record = parse_json(read_file(file), {file});
+  require_chart_record({record, {file}});
   return draw(directory, "");
 }
 
