@@ -37,8 +37,9 @@ Truth audited_by_oracles(const Trial& trial, TruthBy formulations) {
 
 Truth truth_of_own(const Query& query, std::uint64_t number) {
   if (query.operands() == Operands::polygons || query.bounds) return exact_truth(query);
-  return is_audited(0, 0, number) ? audited_by_oracles({.query = query}, truth_by_formulations)
-                                  : truth_by_formulations(query);
+  if (!is_audited(0, 0, number)) return truth_by_formulations(query);
+  const Trial trial{.query = query};
+  return audited_by_oracles(trial, truth_by_formulations);
 }
 
 const char* judges_of_own(Operands operands) {

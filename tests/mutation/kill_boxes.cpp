@@ -254,7 +254,8 @@ void check_large_trees(Draw& draw) {
     require_candidates(deep, nested, Ray{{4, 0, 0}, {{-1, 0, 0}}}, infinity);
   }
   const Float4 p{1, 2, 3, 0};
-  FrameBox box;
+  std::vector<FrameBox> boxes(1);
+  FrameBox& box = boxes[0];
   require(box.area() == 0, "an empty box has no area");
   box.add(p);
   box.add(2 * p);

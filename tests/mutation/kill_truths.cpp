@@ -106,6 +106,7 @@ void check_hash() {
     audited += is_audited(7, 2, k);
   }
   require(audited > 180 && audited < 290, "one in 256");
+  require(audited_among(7, 2, 60'000) == static_cast<std::uint64_t>(audited) && audited_among(7, 2, 0) == 0, "counted");
   // SplitMix64 from its published constants.
   require(hash_of_case(1, 2, 3) == 0x8568f7c4e53b5a35 && hash_of_case(0, 0, 0) == 0x238275bc38fcbe91, "a hash");
   require(hash_of_case(1, 2, 3) != hash_of_case(2, 2, 3) && hash_of_case(1, 2, 3) != hash_of_case(1, 3, 3) &&
@@ -136,6 +137,13 @@ bool same(const Truth& a, const Truth& b) {
          a.at == b.at && a.bounded == b.bounded && a.at_origin == b.at_origin;
 }
 
+/// The first case of a file that is audited, or is not.
+std::uint64_t first_own(bool audited) {
+  std::uint64_t k = 0;
+  while (is_audited(0, 0, k) != audited) ++k;
+  return k;
+}
+
 void check_truths() {
   each_class([&](const ClassRow& row) {
     const Query q = query_of(row);
@@ -156,6 +164,8 @@ void check_truths() {
     require(same(truth_of(known, 256), due) && asked_oracles == before, "by construction");
     require(same(truth_of(known, 257), due) && same(truth_of(unknown, 256), due) && asked_oracles == before + 2,
             "by oracles");
+    require(same(truth_of_own(q, first_own(false)), due) && asked_oracles == before + 2, "own, by formulations");
+    require(same(truth_of_own(q, first_own(true)), due) && asked_oracles == before + 3, "own, audited");
     require(same(formulated_truth(known, 1, true, truth_by_formulations), due), "by its class, with facing");
     require(same(formulated_truth(known, 1, false, truth_by_formulations), faceless), "by its class");
     require(same(formulated_truth(known, 0, false, truth_by_formulations), due), "by formulations, one in 257");
@@ -187,6 +197,7 @@ void check_contradictions() {
   told = truth_by_fractions(row, q);
   told.facing = Facing::back;
   require(contradicts([&] { audited_by_oracles(unknown, truth_by_formulations); }), "another facing");
+  require(contradicts([&] { truth_of_own(q, first_own(true)); }), "own, audited, another facing");
   bool refused = false;
   try {
     exact_truth({Segment{{not_a_number, 0, 0}, {0, 0, 1}}, q.triangle()});
@@ -218,6 +229,7 @@ void check_constructions() {
   told = {.contact = Contact::edge, .planar = false};
   require(!exact_truth({Segment{}, PolygonData{}.add(std::vector<Point3>{{0, 0, 0}})}).planar,
           "the truth about a polygon");
+  require(!truth_of_own({Segment{}, PolygonData{}.add(std::vector<Point3>{{0, 0, 0}})}, 1).planar, "own polygons");
 }
 
 /// Integers whose n-th sign is turned.
@@ -298,6 +310,7 @@ void check_bounds() {
     require(same(truth_by_formulations(q), part) && same(formulated_truth({.query = q}, 1, true, lying), part),
             "by oracles");
     require(same(audited_by_oracles({.query = q}, lying), part), "formulations are not asked within bounds");
+    require(same(truth_of_own(q, first_own(false)), part), "own, within bounds");
     told.at = told.at == At::target ? At::source : At::target;
     require(contradicts([&] { audited_truth({.query = q}, certified_class); }), "another part of the ray");
   }
@@ -317,6 +330,8 @@ void check_words() {
   require(describes(Operands::polygons, true, "construction, rational kernel", "Caratheodory"), "constructed polygons");
   require(describes(Operands::polygons, false, "rational kernel", "Caratheodory"), "polygons");
   require(std::string(oracles_of(Operands::triangles)).starts_with("class table, rational kernel"), "oracles");
+  require(std::string(judges_of_own(Operands::triangles)).starts_with("class table, Segura-Feito"), "own triangles");
+  require(std::string(judges_of_own(Operands::polygons)) == oracles_of(Operands::polygons), "own polygons");
   require(std::string(formulations_in_words()).starts_with("class table, Segura-Feito and Caratheodory"),
           "formulations");
 }
