@@ -58,8 +58,10 @@ def main():
         objects = []
         for n, unit in enumerate(groups.units_of(group, ROOT, place)):
             objects.append(str(place / f'{n}.o'))
-            subprocess.run([o.cxx, '-std=c++20', '-O0', '--coverage', '-ffp-contract=off', '-w', *group.coverage_flags, '-I',
-                            str(ROOT), '-c', str(ROOT / unit), '-o', objects[-1]], check=True, cwd=ROOT)
+            # Counters that threads share: some branches are counted as the difference of others.
+            subprocess.run([o.cxx, '-std=c++20', '-O0', '--coverage', '-fprofile-update=atomic', '-ffp-contract=off', '-w',
+                            *group.coverage_flags, '-I', str(ROOT), '-c', str(ROOT / unit), '-o', objects[-1]],
+                           check=True, cwd=ROOT)
         program = str(place / 'kill')
         subprocess.run([o.cxx, '--coverage', *objects, '-o', program, *group.libraries], check=True)
         subprocess.run([program, *(str(ROOT / a) for a in group.arguments)], check=True)
