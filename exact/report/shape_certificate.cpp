@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "exact/record/contract_json.h"
 #include "exact/report/shapes.h"
 
 namespace tribunal {
@@ -10,12 +11,15 @@ namespace {
 
 using namespace shape;
 
+/// More than there are classes, or constructions and outcomes of polygons.
+constexpr std::uint64_t most_groups = 10'000;
+
 /// Judged ones of so many; the same by stage.
 Check coverage() {
   return [](const Record& r) {
     const std::string judged = r.has("classes") ? "classes" : "judged";
     const std::uint64_t n = r.count(judged);
-    if (r.has("of")) require_part(r, n, r.count("of"), judged.c_str());
+    if (r.has("of")) require_part(r, n, r.count("of", most_groups), judged.c_str());
     for (const auto& [key, value] : r.members()) {
       if (key.starts_with("from_")) require_part(r, value.count(), n, key.c_str());
     }
@@ -132,7 +136,7 @@ void require_findings(const Record& r) {
 }  // namespace
 
 void require_certificate_record(const Record& record) {
-  static const Check term = either({text(), truth(), list(text())}, "a text, true or false, or texts");
+  static const Check terms = [](const Record& r) { to_contract(r); };
   static const Check shape =
       object({needed("method", name()),
               needed("verdict", word({"not refuted", "refuted", "incomplete"})),
@@ -145,7 +149,7 @@ void require_certificate_record(const Record& record) {
               if_there("convention", text()),
               if_there("contract", text()),
               if_there("operands", text()),
-              if_there("terms", named(term)),
+              if_there("terms", terms),
               if_there("stages", list(text())),
               if_there("command", command()),
               if_there("classes_judged", named(coverage())),

@@ -20,9 +20,9 @@ import sys
 COORDINATES = {"seg", "ray", "tri", "rings", "base", "unit"}
 ON_AXES = {"value", "values", "easiest", "stress"}  # of any sign too
 # Totals and measurements that nothing else in a record bounds; of a page they may be any that are no less than 0.
-UNBOUNDED = {"seed", "cases", "rays", "faces", "size", "speed_pairs", "batch", "stretches", "repetitions", "bytes", "max",
-             "upper_quartile", "rays_per_second", "n", "asked", "broken", "value", "values", "easiest", "face", "most",
-             "most_at", "worst_t_ulps", "made_with", "environment"}
+UNBOUNDED = {"seed", "cases", "rays", "faces", "polygons", "size", "speed_pairs", "batch", "stretches", "repetitions",
+             "bytes", "max", "upper_quartile", "rays_per_second", "n", "asked", "broken", "value", "values", "easiest",
+             "face", "most", "most_at", "worst_t_ulps", "made_with", "environment"}
 # Work that was done while a picture was made, which no view shows.
 NOT_SHOWN = {("record", "methods"), ("record", "solids")}
 # What the views of each kind of run read without asking whether it is there.
