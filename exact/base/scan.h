@@ -72,6 +72,21 @@ class Scanner {
     return take('[') && number(p.x) && take(',') && number(p.y) && take(',') && number(p.z) && take(']');
   }
 
+  /// An object with a member at least and none twice: key_named(name) is a bit of the member, or 0, and value(key)
+  /// reads it. The bits of those that are there are added to `seen`.
+  template <class KeyNamed, class Value>
+  bool object(unsigned& seen, const KeyNamed& key_named, const Value& value) {
+    if (!take('{')) return false;
+    do {
+      std::string_view name;
+      if (!text(name) || !take(':')) return false;
+      const unsigned key = key_named(name);
+      if (key == 0 || (seen & key) != 0 || !value(key)) return false;
+      seen |= key;
+    } while (take(','));
+    return take('}');
+  }
+
   /// Where the next character stands, to come back to.
   const char* place() const { return at_; }
   void return_to(const char* place) { at_ = place; }

@@ -106,15 +106,8 @@ class AnswerScanner {
     given_.answer = {};
     given_.numbers.reset();
     given_.method = "answers";
-    if (!s_.take('{')) return false;
-    do {
-      std::string_view name;
-      if (!s_.text(name) || !s_.take(':')) return false;
-      const unsigned key = key_named(name);
-      if (key == 0 || (seen_ & key) != 0 || !value(key)) return false;
-      seen_ |= key;
-    } while (s_.take(','));
-    return s_.take('}') && s_.at_end() && is_whole();
+    const auto value_of = [this](unsigned key) { return value(key); };
+    return s_.object(seen_, key_named, value_of) && s_.at_end() && is_whole();
   }
 
  private:
